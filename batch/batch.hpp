@@ -26,7 +26,7 @@
 /// struct that contains only them.
 ///
 /// **Formats**: all of 8 to 64 bits, under every policy. Vector registers compute signed formats of
-/// 16 and 32 bits, all others take the plain loop; docs/batch.md lists the exceptions.
+/// 16 and 32 bits, with the exceptions that docs/batch.md lists. All others take the plain loop.
 ///
 /// **Paths**: AVX2 and AVX-512 code is always compiled in, and the processor is queried once. NEON
 /// is used if the program is compiled for it. Otherwise a plain loop runs. All paths give the same
@@ -89,12 +89,12 @@ raw_transform<typename N::raw_type> raws_of(const transform_rows<N>& rows) noexc
   return raws;
 }
 
-/// Runs a batch: a few elements one by one; more on the path of `how`, as far as it goes, and the
-/// remaining ones with the number type.
-/// \tparam few      up to so many elements take less time one by one
-/// \tparam has      whether the loops cover it
-/// \tparam O        its overflow rule
-/// \tparam Fault    its divide errors
+/// Runs a batch. Computes a few elements one by one. Computes more on the path of `how`, as far as
+/// it goes, and the remaining ones with the number type.
+/// \tparam few      up to this many elements are faster one by one
+/// \tparam has      whether the loops cover the operation
+/// \tparam O        the overflow rule of the operation
+/// \tparam Fault    the divide errors of the operation
 /// \param blocks    (loops, fault_recorder&) -> number of elements done
 /// \param element   (index) -> outcome
 /// \param store     (index, raw)
@@ -160,7 +160,7 @@ auto store_at(N* to) noexcept {
   return [to](std::size_t i, typename N::raw_type raw) { to[i] = N::from_raw(raw); };
 }
 
-/// The stored integers at index i of three arrays.
+/// Returns the stored integers at index i of three arrays.
 template <class N>
 std::array<typename N::raw_type, 3> tuple_at(const std::array<const N*, 3>& from,
                                              std::size_t i) noexcept {

@@ -1,13 +1,14 @@
 /// \file
-/// Conversions of many numbers from and to float and double, bit-identical to those of one number.
-/// Not part of fixed/fixed.hpp.
+/// Conversions of many numbers from and to float and double, bit-identical to the conversions of
+/// one number. Not part of fixed/fixed.hpp.
 ///
 ///     std::vector<double> x(1000);
 ///     std::vector<fixproof::q16_16> numbers(1000);
 ///     fixproof::batch::from_floats(x, numbers);
 ///     fixproof::batch::to_floats(numbers, x);
 ///
-/// Spans, paths, marks and reports are those of batch/batch.hpp, but no two spans may overlap.
+/// Spans, paths, marks and reports are those of batch/batch.hpp. Unlike there, no two spans may
+/// overlap.
 #pragma once
 
 #include <array>  // std::data, std::size
@@ -39,9 +40,9 @@ concept float_output = float_range<Range> && requires(Range& range) {
 
 namespace fixproof::batch {
 
-/// out[i] = N(x[i]), for float or double. Counts NaN as a domain error under every policy, and
-/// infinities and other values out of range as overflows under overflow::saturate and
-/// overflow::trap.
+/// out[i] = N(x[i]), for float or double. Under every policy, NaN counts as a domain error. Under
+/// overflow::saturate and overflow::trap, infinities and other values out of range count as
+/// overflows.
 template <detail::float_range X, detail::number_range Out>
 requires detail::output_of<Out, detail::element_t<Out>> report from_floats(const X& x, Out&& out,
                                                                            const options& how = {})
@@ -59,7 +60,7 @@ noexcept(detail::element_t<Out>::never_throws) {
       [=](std::size_t i) { return detail::from_float<N>(from[i]); }, detail::store_at(to));
 }
 
-/// out[i] = the float or double nearest to x[i], ties to even, in every rounding mode of the
+/// out[i] = the float or double nearest to x[i], with ties to even, in every rounding mode of the
 /// processor.
 template <detail::number_range X, detail::float_output Out>
 void to_floats(const X& x, Out&& out, path use = best()) noexcept {

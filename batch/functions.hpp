@@ -5,9 +5,9 @@
 ///     std::vector<fixproof::q16_16> x(1000), powers(1000);
 ///     fixproof::batch::exp(x, powers);  // powers[i] = exp(x[i])
 ///
-/// Results out of range and outside the domain are those of the scalar functions: they throw under
-/// overflow::trap, and the elements after the one that throws are unspecified. Under every other
-/// policy nothing throws.
+/// Results out of range and outside the domain are those of the scalar functions. Under
+/// overflow::trap they throw, and the elements after the one that throws are unspecified. Under
+/// every other policy nothing throws.
 ///
 /// Spans and paths are those of batch/batch.hpp: the shortest span sets the length, and the result
 /// may be an operand. Vector registers compute signed formats of 16 and 32 bits; all others take
@@ -27,7 +27,7 @@
 
 namespace fixproof::detail {
 
-/// Whether batch/radian.hpp has the sines.
+/// Whether batch/radian.hpp computes the sines of numbers N.
 template <class N>
 inline constexpr bool has_radians_of = has_radians<typename N::raw_type, N::fraction_bits>;
 

@@ -42,7 +42,7 @@ void sines(batch::path use, const N* from, N* to, std::size_t count, std::uint64
 namespace fixproof::batch {
 
 /// results[i] = fixproof::sin(angles[i]), up to the length of the shorter span. The spans may be
-/// the same. If they overlap otherwise, the results are unspecified.
+/// the same. If they overlap in any other way, the results are unspecified.
 ///
 ///     std::vector<fixproof::q16_16> angles(1000), sines(1000);
 ///     fixproof::batch::sin(angles, sines);

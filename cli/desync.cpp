@@ -27,7 +27,7 @@ struct DesyncOptions {
   bool rollback = false;
 };
 
-/// Records printed before and after the one that differs.
+/// How many records are printed before and after the one that differs.
 constexpr std::size_t context_records = 3;
 
 std::string frame_text(std::int64_t frame) {
@@ -42,12 +42,12 @@ void print_log(const char* side, const LogFile& log) {
                            support::printable(made));
   if (!log.is_complete()) {
     std::cout << fmt::format(
-        "   not closed: the program was killed or still runs{}\n",
+        "   not closed: the program was killed, or it still runs{}\n",
         log.torn_bytes() == 0 ? "" : fmt::format("; {} torn bytes at the end", log.torn_bytes()));
   }
 }
 
-/// The mark in force at a record of a place.
+/// Returns the mark in force at a record of a place, or an empty text.
 std::string mark_at(LogFile& log, const Place& place, std::size_t index) {
   if (index < place.records.size() && place.records[index].name != 0) {
     return log.name_with_hash(place.records[index].name);
@@ -89,21 +89,19 @@ void print_side(const char* side, LogFile& log, const Place& place) {
 const char* explanation(Verdict verdict) {
   switch (verdict) {
     case Verdict::input:
-      return "The numbers that enter differ: look at how the programs compute or read them, and "
-             "with\n"
-             "which options they are compiled.";
+      return "The numbers that enter differ: check how the programs compute or read them, and\n"
+             "which options they are compiled with.";
     case Verdict::operands:
       return "The operands differ: the states were different before, although every recorded\n"
-             "operation until here was equal. A value came from outside: loaded or copied memory, "
-             "or\n"
-             "a variable that is not initialised.";
+             "operation before this one is equal. A value came from outside: from loaded or\n"
+             "copied memory, or from an uninitialised variable.";
     case Verdict::arithmetic:
       return "The results differ for the same operands: the arithmetic is not the same.";
     case Verdict::order:
-      return "The order differs: both sides do these two operations on one value, in turn.";
+      return "The order differs: both sides apply these two operations to one value, in turn.";
     case Verdict::path:
-      return "The operations differ: the programs take different ways from here. A comparison, a\n"
-             "branch or a loop before depends on something that is not recorded.";
+      return "The operations differ: the programs take different branches from here. An earlier\n"
+             "comparison, branch or loop depends on something that is not recorded.";
     default:
       return "";
   }
@@ -127,13 +125,13 @@ int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
                              rollback ? "frames" : "blocks", closing);
     if (found.verdict == Verdict::ended && !rollback && !found.a.index && !found.b.index) {
       std::cout << fmt::format(
-          "{} ends in block {}, which is not compared: it can be, recorded in full with\n"
+          "{} ends in block {}, which is not compared. To compare it, record it in full with\n"
           "FIXPROOF_RECORD_FULL={}-{}.\n",
           found.a.entry.operations < found.b.entry.operations ? "A" : "B", found.a.block,
           found.a.block, found.a.block + 1);
     }
     if (!rollback && a.blocks() != b.blocks()) {
-      std::cout << fmt::format("{} goes on for {} more blocks.\n",
+      std::cout << fmt::format("{} continues for {} more blocks.\n",
                                a.blocks() > b.blocks() ? "A" : "B",
                                support::grouped(std::max(a.blocks(), b.blocks()) - found.blocks));
     }
@@ -146,7 +144,7 @@ int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
       mark.empty() ? "" : ", after the mark " + support::quoted(mark), closing);
   if (found.verdict == Verdict::block) {
     std::cout << fmt::format(
-        "It is among the operations {} to {} of A.\n", support::grouped(entry.first_operation),
+        "It is one of the operations {} to {} of A.\n", support::grouped(entry.first_operation),
         support::grouped(entry.first_operation + std::max<desync::word>(entry.operations, 1) - 1));
     if (entry.frame != found.b.entry.frame && !rollback) {
       std::cout << fmt::format(
@@ -168,18 +166,18 @@ void add_desync(CLI::App& app, int& status) {
   auto options = std::make_shared<DesyncOptions>();
   CLI::App* command =
       app.add_subcommand("desync", "find the first operation in which two recorded runs differ");
-  command->add_option("a", options->a, "the log of one run, which record::log wrote")->required();
+  command->add_option("a", options->a, "the log of one run, written by record::log")->required();
   command->add_option("b", options->b, "the log of the other run")->required();
   command->add_flag(
       "--rollback", options->rollback,
-      "compare the last simulation of every frame, not the runs from their beginning");
+      "compare the last simulation of every frame instead of the runs from their beginning");
   command->footer(
-      R"(Programs that compute with fixproof::recorded<q16_16> write these logs (docs/recorder.md).
-Status 0: no difference. 1: a difference, which is printed. 2: a log cannot be read.
+      R"(A program that computes with fixproof::recorded<q16_16> writes such a log (docs/recorder.md).
+Exit status: 0 if there is no difference, 1 if there is one, 2 if a log cannot be read.
 
 Examples:
   fixproof desync mine.log theirs.log
-  FIXPROOF_RECORD_FULL=97655-97655 ./game       # on both sides, then once more:
+  FIXPROOF_RECORD_FULL=97655-97656 ./game       # on both sides, then again:
   fixproof desync mine.log theirs.log           # shows the operation)");
   command->callback([options, &status] {
     LogFile a(options->a);

@@ -36,7 +36,7 @@ struct JudgeOptions {
   std::string overflow = "any";
   std::string no_result = "any";
   std::string frame = "c";
-  int bits = 0;  ///< 0: as the container says
+  int bits = 0;  ///< 0: what the container implies
   std::string at;
   std::string symbol;
   check::CaseOptions cases;
@@ -47,7 +47,7 @@ struct JudgeOptions {
   std::string trace;
 };
 
-/// The names of routines here, beside those of all commands.
+/// Shorter names of operations that only this command takes.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> short_names{
     {{"muldiv", "mul_div"}, {"sin_cos", "cossin"}, {"transform", "xformvec"}}};
 
@@ -137,7 +137,7 @@ judge::Subject subject_of(const JudgeOptions& options, const judge::Image& image
   return subject;
 }
 
-/// What `--as ?` tries, in the order of preference.
+/// What `--as ?` tries, in order of preference.
 constexpr std::array asked{
     cases::Operation::mul,  cases::Operation::div,   cases::Operation::add,
     cases::Operation::sub,  cases::Operation::sqrt,  cases::Operation::mul_div,
@@ -146,7 +146,8 @@ constexpr std::array asked{
     cases::Operation::log2, cases::Operation::rsqrt, cases::Operation::reciprocal};
 constexpr std::uint64_t cases_to_ask = 2000;
 
-/// Returns the operation whose rounding fits most of the cases in range.
+/// Prints how well each operation fits, and returns the one whose rounding fits most cases in
+/// range.
 /// @throws support::UsageError if none fits half of them
 cases::Operation ask_operation(const JudgeOptions& options, const judge::Image& image) {
   const cases::Format format = cases::format_named(options.format);
@@ -197,10 +198,10 @@ int trace_case(const judge::Subject& subject, const std::string& operands) {
   return 0;
 }
 
-/// Returns what a look at single calls shows, and whether it is all well.
+/// Prints what single calls show. Returns whether they have no defect.
 bool print_inspection(const judge::Subject& subject) {
   if (const std::string reason = judge::absence_on_unicorn(); !reason.empty()) {
-    std::cout << fmt::format("\nnot looked at step by step: {}\n", reason);
+    std::cout << fmt::format("\nno calls step by step: {}\n", reason);
     return true;
   }
   const judge::Inspection inspection = judge::inspect(subject);
@@ -208,7 +209,7 @@ bool print_inspection(const judge::Subject& subject) {
   return inspection.is_clean();
 }
 
-/// Prints a proof, a counterexample, or why there is neither. @return false for a counterexample
+/// Prints a proof, a counterexample, or why there is neither. Returns false for a counterexample.
 bool print_proof(const JudgeOptions& options, const judge::Subject& subject,
                  const judge::Verdict& verdict) {
   const proof::Solver solver(options.solver.name);
@@ -266,14 +267,15 @@ int judge_file(const JudgeOptions& options) {
 void add_judge_options(CLI::App& command, JudgeOptions& options) {
   command
       .add_option("file", options.file,
-                  "a .COM, MZ .EXE, ELF object (i386), NASM source or "
-                  "flat binary with the routine")
+                  "the file with the routine: a .COM, MZ .EXE, ELF object (i386), NASM source or "
+                  "flat binary")
       ->required()
       ->check(not_empty());
   command
-      .add_option("--as", options.operation,
-                  "what it computes: mul, div, sqrt, add, sub, muldiv, sin_cos, transform, a "
-                  "function of docs/functions.md, or ? to find out; required but for --list")
+      .add_option(
+          "--as", options.operation,
+          "what the routine computes: mul, div, sqrt, add, sub, muldiv, sin_cos, transform, a "
+          "function of docs/functions.md, or ? to find out; required unless --list is given")
       ->check(not_empty());
   command
       .add_option("--frame", options.frame,
@@ -282,11 +284,15 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
       ->check(not_empty())
       ->capture_default_str();
   command
-      .add_option("--at", options.at, "where the routine is: OFFSET, OFFSET..END, SEGMENT:OFFSET")
+      .add_option("--at", options.at, "where the routine is: OFFSET, OFFSET..END or SEGMENT:OFFSET")
       ->check(not_empty());
-  command.add_option("--symbol", options.symbol, "its name in an ELF object or NASM source")
+  command
+      .add_option("--symbol", options.symbol,
+                  "the name of the routine in an ELF object or NASM source")
       ->check(not_empty());
-  command.add_option("--bits", options.bits, "16 or 32; by default 16, of an ELF object 32")
+  command
+      .add_option("--bits", options.bits,
+                  "width of the code, 16 or 32; by default 32 for an ELF object, else 16")
       ->check(CLI::IsMember({16, 32}));
   command
       .add_option("--format", options.format,
@@ -305,8 +311,8 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
       ->capture_default_str();
   command
       .add_option("--no-result", options.no_result,
-                  "expected result of a division by 0, a root below 0 or outside a domain: any, or "
-                  "as --divide-by-zero, --negative-root and --outside-domain of check")
+                  "expected result where there is none, as in a division by 0: any, or a value of "
+                  "--divide-by-zero, --negative-root or --outside-domain of check")
       ->check(not_empty())
       ->capture_default_str();
   add_port_option(command, options.rule, {"--rounding", "--overflow", "--no-result"});
@@ -315,14 +321,15 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
       ->transform(whole_number(0, 1'000'000))
       ->capture_default_str();
   command.add_flag("--prove", options.prove,
-                   "also prove it for all operands, or find a case that fails");
+                   "also prove the routine for all operands, or find a case that fails");
   options.solver.add_to(command);
   command.add_flag("--list", options.list,
-                   "only disassemble the routine, as NASM source of the same bytes");
+                   "only disassemble the routine, to NASM source of the same bytes");
   command
-      .add_option("--trace", options.trace,
-                  "only run one case step by step, its operands as gen writes them: '00018000 "
-                  "00020000'")
+      .add_option(
+          "--trace", options.trace,
+          "only run one case step by step; write its operands as gen does, such as '00018000 "
+          "00020000'")
       ->check(not_empty());
 }
 
@@ -334,20 +341,21 @@ void add_judge(CLI::App& app, int& status) {
       app.add_subcommand("judge", "judge a machine-code routine of your own, for 16 or 32 bits");
   add_judge_options(*command, *options);
   command->footer(
-      R"(The routine runs in a process of its own that can open no file and start no program, for each case of
-`fixproof gen`: on this processor, and on Unicorn where the processor cannot run it.
+      R"(The routine runs on every case of `fixproof gen`, in a process of its own that can open no file and
+start no program. It runs on this processor, or on Unicorn if the processor cannot run it.
 
---frame says where operands are and where the result is. Registers are named in the order of the
-operands, a pair with its upper half first, a pointer in brackets. The stack conventions expect
-(E)BP, (E)SI, (E)DI, in 32-bit code also EBX, to be kept; `keeps` names such registers.
+--frame says where the operands and the result are. Name the registers in the order of the
+operands, a pair with its upper half first, a pointer in brackets. In the stack conventions, the
+routine must preserve (E)BP, (E)SI and (E)DI, and also EBX in 32-bit code. After registers, `keeps`
+names those that it must preserve.
   mul, div, add, sub  two numbers          -> a number
   sqrt                a number             -> a number
   muldiv              a, b, c              -> a * b / c
   sin_cos             tenths of a degree (16 bits) -> cosine and sine, or pointers to them
   transform           pointers to 12, 3 and 3 numbers: matrix, vector, result
 
-Exit status: 0 all results are right, 1 a wrong result or a call that goes wrong, 2 bad usage or
-input, 130 interrupted.
+Exit status: 0 if all results are right and there is no defect, 1 if there is one, 2 for bad usage
+or input, 130 if interrupted.
 
 Examples:
   fixproof judge fixmul.asm --as mul --frame 'eax, ebx -> eax' --bits 32

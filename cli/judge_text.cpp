@@ -27,7 +27,7 @@ std::string machine_text(const judge::Verdict& verdict) {
   return text + '\n';
 }
 
-/// The line of a case without its number, which the smallest case has not.
+/// Returns the line of a case without its number, which the smallest case does not have.
 std::string smallest_text(const check::JudgedCase& one, const check::Rules& rules) {
   const std::string line = check::text_of(one, rules);
   return line.substr(line.find("): ") + 3);
@@ -100,15 +100,16 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
   }
   text += '\n';
   if (verdict.not_preserved) {
-    text += fmt::format("BREAKS its convention in {} cases: it does not keep {}, first for {}\n",
+    text += fmt::format("BREAKS its convention in {} {}: it does not keep {}, first for {}\n",
                         support::grouped(verdict.not_preserved_count),
+                        verdict.not_preserved_count == 1 ? "case" : "cases",
                         register_names(verdict.not_preserved->registers, bits),
                         verdict.not_preserved->operands);
   }
   if (verdict.unsteady) {
     text += fmt::format(
         "UNSTEADY: for {} the result differs from call to call: the routine reads a register, a "
-        "flag or memory that its caller does not set\n",
+        "flag or memory that its caller does not set, or a flag that Intel leaves undefined\n",
         verdict.unsteady->operands);
   }
   if (verdict.first_divide_error) {
@@ -125,10 +126,11 @@ std::string verdict_text(const judge::Subject& subject, const judge::Verdict& ve
   if (verdict.stuck) return text;
   const check::Judge& judge = *verdict.judge;
   if (judge.wrong().count() == 0) {
-    text += fmt::format("AGREES on {} cases\n", support::grouped(judge.cases()));
+    text += fmt::format("AGREES on {} {}\n", support::grouped(judge.cases()),
+                        judge.cases() == 1 ? "case" : "cases");
   } else {
-    text += fmt::format("WRONG in {} of {} cases\n", support::grouped(judge.wrong().count()),
-                        support::grouped(judge.cases()));
+    text += fmt::format("WRONG in {} of {} {}\n", support::grouped(judge.wrong().count()),
+                        support::grouped(judge.cases()), judge.cases() == 1 ? "case" : "cases");
     if (verdict.smallest) {
       text += fmt::format("  smallest: {}\n", smallest_text(*verdict.smallest, verdict.rules));
     }

@@ -13,14 +13,15 @@ namespace fixproof::desync {
 
 namespace {
 
-/// How many records later the other side's record is looked for: more than an expression has.
+/// How many records the search for a record of the other side covers: more than an expression has.
 constexpr std::size_t order_window = 64;
 
-/// How many later blocks are asked whether the runs are equal again.
+/// A block differs if the runs are unequal at its end and at the ends of the blocks after it, up to
+/// this many blocks in all.
 constexpr word later_blocks = 8;
 
-/// Whether both sides do the same two operations on one value in turn, as in x + a + b and
-/// x + b + a.
+/// Tells whether both sides apply the same two operations to one value in a different order, as in
+/// x + a + b and x + b + a.
 bool are_swapped(const Operation& a, const Operation& a_next, const Operation& b,
                  const Operation& b_next) {
   const auto is_binary = [](const Operation& o) {
@@ -34,8 +35,8 @@ bool are_swapped(const Operation& a, const Operation& a_next, const Operation& b
          a_next.operands[0] == a.results[0] && b_next.operands[0] == b.results[0];
 }
 
-/// Passes over the records that both sides have, at the same place or within a few records.
-/// \return the first index on each side that remains
+/// Skips the records that both sides have, at the same index or within a few records.
+/// \return the first index that remains on each side
 std::pair<std::size_t, std::size_t> first_unmatched(const std::vector<Record>& a,
                                                     const std::vector<Record>& b) {
   std::vector<bool> has_match(b.size());
@@ -54,7 +55,7 @@ std::pair<std::size_t, std::size_t> first_unmatched(const std::vector<Record>& a
       has_match[match] = true;
       continue;
     }
-    // What comes soon after a[i] on its side is only in another order on the other.
+    // Records soon after a[i] may be on the other side before its counterpart.
     for (std::size_t k = i + 1; k < std::min(a.size(), i + order_window); ++k) {
       const std::size_t later = find(a[k], next);
       if (later == b.size()) continue;
@@ -87,7 +88,7 @@ Verdict judge(const Place& a, const Place& b) {
   return is_same_operation && record::is_operation(x.kind) ? Verdict::operands : Verdict::path;
 }
 
-/// \param end the blocks of the run or of the frame
+/// \param end the number of the block after the run or the frame
 Place place_of(LogFile& log, word block, word end) {
   Place place;
   place.block = block;
@@ -99,7 +100,7 @@ Place place_of(LogFile& log, word block, word end) {
   return place;
 }
 
-/// Looks into the first blocks that differ.
+/// Finds the record that differs in the first blocks that differ.
 void look_into(Comparison& comparison) {
   Place& a = comparison.a;
   Place& b = comparison.b;
@@ -124,7 +125,7 @@ void look_into(Comparison& comparison) {
   comparison.operations = shorter.entry.first_operation + shorter.entry.operations;
 }
 
-/// A simulation of a frame.
+/// The blocks of a simulation of a frame, `end` excluded.
 struct Simulation {
   word first = 0;
   word end = 0;
@@ -142,8 +143,8 @@ std::map<std::int64_t, Simulation> last_simulations(LogFile& log) {
     if (open != nullptr) open->end = block + 1;
   }
   if (last.empty()) {
-    throw support::UsageError(
-        fmt::format("{}: has no frames: --rollback needs record::frame()", log.path()));
+    throw support::UsageError(fmt::format(
+        "{}: the log has no frames; --rollback needs calls of record::frame()", log.path()));
   }
   return last;
 }
@@ -222,10 +223,13 @@ Comparison compare_last_frames(LogFile& a, LogFile& b) {
     const bool cut_a = in_a.end == a.blocks();
     const bool cut_b = in_b.end == b.blocks();
     if (blocks_a == blocks_b || (blocks_a < blocks_b ? cut_a : cut_b)) continue;
-    // One side simulated more of the frame: it differs where the other one's last block ends.
-    comparison.verdict = Verdict::block;
-    comparison.a = place_of(a, in_a.end - 1, in_a.end);
-    comparison.b = place_of(b, in_b.end - 1, in_b.end);
+    // One side does more operations in the frame: the first one is in the block after the common
+    // ones.
+    comparison.a = place_of(a, std::min(in_a.first + common, in_a.end - 1), in_a.end);
+    comparison.b = place_of(b, std::min(in_b.first + common, in_b.end - 1), in_b.end);
+    Place& longer = blocks_a > blocks_b ? comparison.a : comparison.b;
+    comparison.verdict = longer.records.empty() ? Verdict::block : Verdict::path;
+    if (!longer.records.empty()) longer.index = 0;
     return comparison;
   }
   return comparison;

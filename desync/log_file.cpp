@@ -15,12 +15,13 @@ namespace {
 
 using record::page_type;
 
-/// Damaged pages at the end that count as torn: more than a machine leaves that loses its power.
+/// How many damaged pages at the end count as torn: more than a loss of power leaves.
 constexpr word max_torn_pages = 4096;
 
 page_type type_of(word first) { return static_cast<page_type>(first >> 32); }
 
-/// Whether the counts of a page are possible, so that what uses it needs no checks of its own.
+/// Tells whether the counts of a page are possible, so that code that uses the page need not check
+/// them.
 bool is_sound(const std::array<word, record::page_words>& page) {
   if ((page[0] & 0xffffffff) != record::magic) return false;
   const word count = page[4] & 0xffffffff;
@@ -49,7 +50,7 @@ std::string text_of(const std::array<word, record::page_words>& page) {
 
 LogFile::LogFile(const std::string& path) : path_(path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) fail("is not a file");
+  if (!std::filesystem::is_regular_file(path, error)) fail("is not a regular file");
   const word bytes = std::filesystem::file_size(path, error);
   file_.open(path, std::ios::binary);
   if (error || !file_) fail("cannot be read");
@@ -107,8 +108,8 @@ const LogFile::Page& LogFile::page(word number) {
   return page_;
 }
 
-/// The last page whose first block is not above this one: pages of names and of records come before
-/// the page of entries and have its first block.
+/// Searches for the last page whose first block is at most `block`. Pages of names and of records
+/// come before the page of entries and have the same first block.
 word LogFile::page_of_block(word block) {
   word low = 1;
   word high = pages_;
@@ -205,7 +206,7 @@ std::vector<Record> LogFile::records(word block) {
 
 std::string LogFile::name(word number) {
   if (number == 0) return "?";
-  // The first page that counts this name.
+  // Find the first page that counts this name.
   word low = 0;
   word high = pages_ - 1;
   while (low < high) {

@@ -24,7 +24,7 @@ int fraction_of(std::uint32_t type) {
 
 bool is_unsigned(std::uint32_t type) { return (type & record::tag_is_unsigned) != 0; }
 
-/// A word of a short record with its sign extended.
+/// Returns half a word of a short record, extended by its sign.
 word extended(word low, std::uint32_t type) {
   const auto half = static_cast<std::uint32_t>(low);
   if (is_unsigned(type)) return half;
@@ -36,7 +36,7 @@ bool has_integer(kind k) {
          (k >= kind::add_integer && k <= kind::remainder_integer);
 }
 
-/// The kinds whose short record has one operand.
+/// Tells whether a short record of a kind has one operand.
 bool is_unary(kind k) {
   switch (k) {
     case kind::add:

@@ -11,7 +11,7 @@
 
 namespace fixproof::desync {
 
-/// An operand or a result: its type in the upper 24 bits of `type`, its class in the lower 8.
+/// An operand or a result. The upper 24 bits of `type` are its type, the lower 8 its class.
 struct Value {
   std::uint32_t type = 0;
   word bits = 0;
@@ -19,10 +19,10 @@ struct Value {
   friend bool operator==(const Value&, const Value&) = default;
 };
 
-/// What a record says.
+/// A record as an operation.
 struct Operation {
   record::kind kind{};
-  std::uint32_t type = 0;  ///< Of the number whose operation it is.
+  std::uint32_t type = 0;  ///< The number type whose operation it is.
   std::vector<Value> operands;
   std::vector<Value> results;
   bool threw = false;
@@ -30,14 +30,16 @@ struct Operation {
   friend bool operator==(const Operation&, const Operation&) = default;
 };
 
-/// Reads the words of a record of a known kind and of the right length.
+/// Returns the operation of a record, which must have a known kind and the right length.
 Operation operation_of(const std::vector<word>& words);
 
-/// The value and its bits: `1.5 (00018000)`.
+/// Returns a value and its bits, such as `1.5 (00018000)`.
 std::string text_of(const Value& value);
-/// The format and the rules that are not those of q16_16: `q16_16`, `u8_8 saturating`.
+/// Returns the format, and the rules that differ from those of q16_16:
+/// `u8_8, range saturate`.
 std::string type_text(std::uint32_t type);
-/// The operation with its operands and results: `a + b: 1.5 (00018000), 2 (00020000) -> ...`.
+/// Returns an operation with its operands and results:
+/// `a + b [q16_16]: 1.5 (00018000), 2 (00020000) -> 3.5 (00038000)`.
 std::string text_of(const Operation& operation);
 
 }  // namespace fixproof::desync

@@ -1,4 +1,4 @@
-/* A log of additions of 16.16 in C, by the format of docs/recorder.md: recorder LOG COUNT [WRONG_OPERATION] */
+/* usage: recorder LOG COUNT [WRONG_OPERATION]: logs additions of 16.16 in the format of docs/recorder.md, in C. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

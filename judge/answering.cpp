@@ -15,7 +15,7 @@ namespace fixproof::judge {
 namespace {
 
 constexpr std::size_t cases_of_batch = 16384;
-/// Cases that run twice, with other noise, and on both machines.
+/// The number of cases that run a second time, with other noise, and on both machines.
 constexpr std::uint64_t twice = 1024;
 
 std::string_view why(Downfall downfall) {
@@ -102,7 +102,7 @@ class Pass {
     return true;
   }
 
-  /// Keeps evenly spread cases for the other machine.
+  /// Keeps evenly spread cases for the second run and for the other machine.
   void sample(const std::vector<std::uint32_t>& batch, const std::vector<Answer>& answers,
               std::uint64_t all) {
     const std::size_t in = words_in(subject_.variant);
@@ -124,7 +124,7 @@ class Pass {
   std::vector<Answer> sampled_answers_;
 };
 
-/// Looks for a case with another answer in a second run.
+/// Looks for a case whose answer differs in a second run.
 void compare_again(const Subject& subject, const Pass& pass, Runner& runner, Verdict& verdict) {
   const auto again = runner.answers(pass.sampled());
   const std::size_t in = words_in(subject.variant);
@@ -159,7 +159,8 @@ void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& v
   auto pass = std::make_unique<Pass>(subject, options, verdict, verdict.machine);
   bool done = pass->run(on_answer);
   if (!done && no_unicorn.empty()) {
-    // A trace knows what happened, and where. If Unicorn sees no trouble, it is the processor's.
+    // The trace shows what happened, and where. If the call ends well on Unicorn, the trouble is
+    // only the processor's.
     const auto call = traced(subject, verdict.stuck->words);
     if (call) verdict.stuck->ending = call->answer.ending;
     if (call && ended_well(call->answer) && verdict.machine == On::processor) {

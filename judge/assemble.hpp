@@ -6,7 +6,7 @@
 
 namespace fixproof::judge {
 
-/// Returns the bytes that NASM assembles from a source; empty if it reports an error.
+/// Returns the bytes that NASM assembles from a source, or nothing if NASM reports an error.
 /// @throws support::UsageError if nasm cannot be run
 std::string assembled(const std::string& source);
 

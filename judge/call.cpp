@@ -14,7 +14,7 @@ using x86model::Size;
 
 constexpr std::size_t sp_number = static_cast<std::size_t>(Register::sp);
 
-/// A number of a case, extended to 64 bits as its format says.
+/// Returns a number of a case, extended to 64 bits by its signedness.
 std::uint64_t number_at(std::span<const std::uint32_t> words, std::size_t index,
                         const Parameter& p) {
   if (p.bits > 32) return words[index] | std::uint64_t{words[index + 1]} << 32U;
@@ -98,7 +98,7 @@ void Call::enter(std::uint8_t* memory, Registers& registers, std::span<const std
   cases::Draw draw(386, number);
   for (std::uint32_t& r : registers.general) r = static_cast<std::uint32_t>(draw.bits());
   registers.flags = static_cast<std::uint32_t>(draw.bits()) & x86model::arithmetic_flags;
-  // Operands behind pointers, and noise where the results will be.
+  // Put operands behind their pointers, and noise where the results will be.
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
     const Parameter& p = parameters_[i];
     if (!p.is_pointer) continue;

@@ -1,5 +1,5 @@
 /// @file
-/// The call of a routine: its operands into registers and memory, its results out of them.
+/// Puts the operands of a call into registers and memory, and reads its results from there.
 #pragma once
 
 #include <array>
@@ -22,42 +22,42 @@ struct Registers {
 enum class End : std::uint8_t {
   returned,
   divide_error,     ///< #DE
-  bad_instruction,  ///< not an instruction, or one of the system's
-  bad_address,      ///< memory that is not there
-  interrupt,        ///< INT n, or a system call
+  bad_instruction,  ///< an invalid or privileged instruction
+  bad_address,      ///< an access to memory that does not exist
+  interrupt,        ///< INT n or a system call
   port,             ///< IN or OUT
   halted,           ///< HLT
-  endless,          ///< no end after Limits of a machine
-  fault,            ///< any fault of the host processor but #DE
+  endless,          ///< no return within the machine's limit of steps or time
+  fault,            ///< any other fault on the host processor
 };
 
 /// How a call ended, and where.
 struct Ending {
   End end = End::returned;
-  std::uint8_t number = 0;    ///< of the interrupt
+  std::uint8_t number = 0;    ///< the interrupt's
   std::uint32_t at = 0;       ///< the instruction's offset in its segment; 0 on the host processor
-  std::uint32_t address = 0;  ///< the memory of bad_address
+  std::uint32_t address = 0;  ///< what bad_address accessed
 };
 
-/// Sets up calls of one routine and reads what they left.
+/// Sets up calls of one routine and reads their results.
 class Call {
  public:
-  /// @param code_selector what a far return address holds
+  /// @param code_selector the selector of far return addresses
   Call(const Image& image, const Frame& frame, const cases::Variant& variant,
        std::uint16_t code_selector);
 
-  /// Sets up a call: operands, a return address, and noise everywhere else, which depends on
-  /// `number` only.
+  /// Sets up a call: operands, a return address, and noise in all other registers, the flags and
+  /// the places of results. The noise depends only on `number`.
   /// @param words words_in(variant) words
   void enter(std::uint8_t* memory, Registers& registers, std::span<const std::uint32_t> words,
              std::uint64_t number);
-  /// Reads words_out(variant) words.
+  /// Reads the result of a call into words_out(variant) words.
   void leave(const std::uint8_t* memory, const Registers& registers,
              std::span<std::uint32_t> words) const;
-  /// Returns the registers that differ from entry and should not: bit r for register r in the order
-  /// of encoding. The stack pointer is bit 4.
+  /// Returns the registers that the call should have preserved and did not, with bit r for register
+  /// r in the order of encoding. Bit 4 is set if the stack pointer is not what the convention says.
   [[nodiscard]] unsigned broken(const Registers& left) const;
-  /// Returns the registers that differ from entry at all.
+  /// Returns all registers that the call changed, except the stack pointer.
   [[nodiscard]] unsigned changed(const Registers& left) const;
 
  private:
@@ -69,16 +69,16 @@ class Call {
   const Frame& frame_;
   cases::Variant variant_;
   std::vector<Parameter> parameters_;
-  std::vector<std::size_t> first_word_;      ///< by parameter: its place in the operands
-  std::vector<std::uint32_t> data_offsets_;  ///< by parameter: the number behind its pointer
+  std::vector<std::size_t> first_word_;      ///< of each parameter, in the operands
+  std::vector<std::uint32_t> data_offsets_;  ///< of each parameter: where its pointer points to
   std::uint16_t code_selector_;
-  int slot_;                  ///< bytes of a pushed word
-  std::uint32_t top_ = 0;     ///< offset of the stack's top
+  int slot_;                  ///< size of a pushed word in bytes
+  std::uint32_t top_ = 0;     ///< offset of the top of the stack
   std::uint32_t popped_ = 0;  ///< SP after the return
   Registers entered_;
 };
 
-/// Writes and reads little-endian numbers of at most 4 bytes.
+/// Writes or reads a little-endian number of at most 4 bytes.
 void store(std::uint8_t* to, std::uint32_t value, int bytes);
 std::uint32_t fetch(const std::uint8_t* from, int bytes);
 

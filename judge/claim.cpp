@@ -12,8 +12,8 @@ namespace {
 using cases::Operation;
 using oracle::Rounding;
 
-/// {0} is the width of a word, {1} twice that, {2} the fraction bits. Quantities of 2W bits are
-/// called wide.
+/// {0} is the width W of a word, {1} is 2W, and {2} is the number of fraction bits. A quantity of
+/// 2W bits is called wide.
 constexpr const char* signs =
     R"((define-fun widened ((x (_ BitVec {0}))) (_ BitVec {1}) (concat (_ bv0 {0}) x))
 (define-fun magnitude ((x (_ BitVec {0}))) (_ BitVec {0}) (ite (bvslt x (_ bv0 {0})) (bvneg x) x))
@@ -27,8 +27,8 @@ std::string filled(const char* text, const cases::Format& format) {
                      format.fraction_bits);
 }
 
-/// Defines `product`, wide and signed, and `product-size`, its magnitude. The assertion, true of
-/// all products, tells abstract arithmetic the sign.
+/// Defines `product`, wide and signed, and `product-size`, its magnitude. The assertion holds for
+/// all products; it gives abstract arithmetic the sign.
 std::string product_of(Shape shape, const cases::Format& format) {
   if (shape == Shape::of_signed) {
     return filled(R"((define-fun product () (_ BitVec {1}) (smul{0} a b))
@@ -57,7 +57,7 @@ std::string product_of(Shape shape, const cases::Format& format) {
                 format);
 }
 
-/// The rounded product, wide.
+/// Returns the rounded product, wide.
 std::string rounded_product(Rounding rounding, const cases::Format& format) {
   const int bits = 2 * format.word_bits;
   const int f = format.fraction_bits;
@@ -85,7 +85,7 @@ std::string rounded_product(Rounding rounding, const cases::Format& format) {
     case Rounding::half_even:
       break;
   }
-  // A half, less a unit if the floor is even: then a tie stays below.
+  // Adds a half, less one unit if the floor is even, so that such a tie rounds down.
   if (f == 0) return "product";
   const std::string odd = fmt::format("((_ extract {0} {0}) product)", f);
   return cut(
@@ -93,10 +93,10 @@ std::string rounded_product(Rounding rounding, const cases::Format& format) {
            fmt::format("(concat (_ bv0 {}) {})", bits - 1, odd)));
 }
 
-/// The assertions are true of IDIV: a zero divisor faults, and a quotient has the sign of the exact
-/// one. Defines `size`, `rest`, `unit`, `negative` and `faults`: the magnitudes of truncated
-/// quotient, remainder and divisor, wide, the sign of the exact quotient, and whether the quotient
-/// is out of range at once.
+/// Defines `size`, `rest` and `unit`, the magnitudes of the truncated quotient, the remainder and
+/// the divisor, all wide. Also defines `negative`, the sign of the exact quotient, and `faults`,
+/// whether the machine's divide faults. The assertions hold for IDIV: a zero divisor faults, and
+/// every quotient has the sign of the exact one.
 std::string quotient_of(Shape shape, bool of_product, const cases::Format& format) {
   const char* divisor = of_product ? "c" : "b";
   std::string text = of_product ? product_of(shape, format) : "";
@@ -137,7 +137,7 @@ std::string quotient_of(Shape shape, bool of_product, const cases::Format& forma
                      divisor);
 }
 
-/// The rounded quotient, wide: its magnitude is `size`, or one more.
+/// Returns the rounded quotient, wide. Its magnitude is `size` or one more.
 std::string rounded_quotient(Rounding rounding, const cases::Format& format) {
   std::string more;
   const std::string twice = filled("(bvadd rest rest)", format);
@@ -163,7 +163,7 @@ std::string rounded_quotient(Rounding rounding, const cases::Format& format) {
          filled(" (_ bv1 {1}) (_ bv0 {1}))))", format);
 }
 
-/// The word for a result out of range; empty if every word is right.
+/// Returns the word for a result out of range, or nothing if no word replaces it.
 std::string overflowed(const check::Rules& rules) {
   const cases::Format& format = rules.format;
   const auto word = [&](std::uint64_t value) {
@@ -222,7 +222,8 @@ std::optional<Claim> claim_of(const check::Rules& rules, Shape shape) {
     definitions += product_of(shape, format);
     rounded = rounded_product(rules.rounding, format);
   } else if (divides) {
-    // What a quotient out of the words' range is beyond that, the machine's divide does not tell.
+    // The machine's divide does not give a quotient that is out of range, so no claim about it is
+    // possible.
     const bool told =
         rules.overflow == check::Overflow::any || rules.overflow == check::Overflow::error;
     if (!told || (operation == Operation::div && format.fraction_bits == bits)) return std::nullopt;
@@ -245,7 +246,8 @@ std::optional<Claim> claim_of(const check::Rules& rules, Shape shape) {
       2 * bits, rounded, bits, bits - 1, lacks, out_of_range);
   const bool any_lack = rules.no_result == check::NoResult::any;
   const bool any_overflow = rules.overflow == check::Overflow::any;
-  // Without a result only a fault, or anything, can be claimed.
+  // If there is no result, the claim can only be that the routine faults, or that anything is
+  // right.
   if (divides && !any_lack && rules.no_result != check::NoResult::error) return std::nullopt;
   Claim claim{.definitions = definitions};
   const bool overflow_faults = any_overflow || rules.overflow == check::Overflow::error;

@@ -1,5 +1,5 @@
 /// @file
-/// What a routine should return, in SMT-LIB, written from the rules and not from any program.
+/// States in SMT-LIB what a routine should return. It follows the rules, not any program.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace fixproof::judge {
 
-/// How the exact result is put together from products and quotients of machine words. A proof under
-/// abstract arithmetic needs the shape that the routine has; each is true.
+/// How the exact result is composed of products and quotients of machine words. All shapes describe
+/// the same result, but a proof under abstract arithmetic needs the shape that the routine uses.
 enum class Shape {
   of_signed,      ///< IMUL and IDIV of the operands
   of_magnitudes,  ///< MUL and DIV of their magnitudes, then the sign
@@ -22,14 +22,15 @@ inline constexpr std::initializer_list<Shape> shapes{Shape::of_signed, Shape::of
 
 struct Claim {
   std::string definitions{};
-  std::string may_fault{};  ///< a Boolean: #DE is right
-  /// A Boolean: the word that replaces {} is right.
+  std::string may_fault{};  ///< a Boolean: whether #DE is right
+  /// A Boolean: whether the word that replaces {} is right.
   std::string is_right{};
 };
 
-/// Returns the claim for operands a, b and c. Empty if there is none: for operations other than
-/// mul, div, mul_div, add and sub, unsigned formats, other words than 16 and 32 bits, and rules of
-/// programs that differ from the general ones in more than a guard.
+/// Returns the claim for operands a, b and c. Returns nothing if the operation is not mul, div,
+/// mul_div, add or sub, if the format is unsigned or does not have 16 or 32 bits, if the rules need
+/// more than the machine's divide tells, or if a program's rule differs from the general rules in
+/// more than Doom's guard.
 std::optional<Claim> claim_of(const check::Rules& rules, Shape shape);
 
 }  // namespace fixproof::judge

@@ -50,7 +50,7 @@ bool read_all(int from, char* to, std::size_t size) {
   return true;
 }
 
-/// A message is its length in 4 bytes of this machine, then its bytes.
+/// Sends a message: its length in 4 bytes of this machine's order, then its bytes.
 bool send(int to, std::string_view message) {
   const auto size = static_cast<std::uint32_t>(message.size());
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the bytes of a number
@@ -58,7 +58,7 @@ bool send(int to, std::string_view message) {
          write_all(to, message);
 }
 
-/// No reply is longer: a damaged length must not take the memory of this process.
+/// The longest message. A damaged length must not exhaust the memory of this process.
 constexpr std::uint32_t longest = 1U << 26U;
 
 bool receive(int from, std::string& message) {
@@ -86,7 +86,7 @@ void limit(int resource, rlim_t most) {
   setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
-/// Keeps nothing open but the two pipes.
+/// Closes everything except the two pipes.
 void close_others(int in, int out) {
   const long most = sysconf(_SC_OPEN_MAX);
   for (int i = 0; i < (most > 0 && most < 4096 ? most : 4096); ++i) {
@@ -133,7 +133,7 @@ Confined::Confined(const std::function<Serve(Steps& steps)>& prepare, std::size_
   steps_ = new (shared) Steps(0);
   auto [request_in, request_out] = make_pipe();
   auto [reply_in, reply_out] = make_pipe();
-  (void)::signal(SIGPIPE, SIG_IGN);  // a child that is gone is a downfall, not this process's end
+  (void)::signal(SIGPIPE, SIG_IGN);  // a dead child is a downfall, not this process's end
   id_ = fork();
   if (id_ < 0) throw refused("fork");
   if (id_ == 0) {
@@ -156,7 +156,7 @@ Reply Confined::ask(std::string_view request, std::chrono::milliseconds limit) {
   std::uint64_t seen = *steps_ = 0;
   if (!send(to_.number(), request)) return bury();
   pollfd waits{.fd = from_.number(), .events = POLLIN, .revents = 0};
-  constexpr int poll_interval = 50;  // milliseconds: how soon Ctrl-C is seen
+  constexpr int poll_interval = 50;  // milliseconds until Ctrl-C is noticed
   while (poll(&waits, 1, poll_interval) <= 0) {
     if (support::Interrupt::flag()) {
       bury();
@@ -177,7 +177,7 @@ Reply Confined::ask(std::string_view request, std::chrono::milliseconds limit) {
 
 Reply Confined::bury() {
   if (late_) kill(id_, SIGKILL);
-  to_ = support::Descriptor();  // the end of its input ends it
+  to_ = support::Descriptor();  // a child that reads the end of its input exits
   from_ = support::Descriptor();
   int status = 0;
   for (int tries = 0; waitpid(id_, &status, WNOHANG) == 0; ++tries) {

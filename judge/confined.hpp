@@ -18,11 +18,11 @@ namespace fixproof::judge {
 /// Why a confined process did not reply.
 enum class Downfall {
   none,
-  system_call,  ///< it asked the system for something that it may not
-  out_of_time,  ///< it took longer than allowed
-  out_of_memory,
-  crashed,  ///< a signal ended it
-  ended,    ///< it ended by itself
+  system_call,    ///< it made a forbidden system call
+  out_of_time,    ///< it exceeded its time limit
+  out_of_memory,  ///< it exceeded its memory limit
+  crashed,        ///< a signal ended it
+  ended,          ///< it exited by itself
 };
 
 struct Reply {
@@ -30,26 +30,29 @@ struct Reply {
   std::string bytes{};  ///< empty after a downfall
 };
 
-/// A copy of this process that runs `serve` for each request. On Linux it can open no file, start
-/// no process and signal none: the kernel ends it if it tries (seccomp(2)), and also if it uses
-/// more memory or processor time than allowed. It dies with its parent, too.
+/// A copy of this process that serves requests. On Linux it cannot open a file, start a process or
+/// send a signal: the kernel ends it if it tries (seccomp(2)). The kernel also limits its memory
+/// and processor time, and ends it when its parent ends.
 class Confined : private boost::noncopyable {
  public:
-  /// @param prepare runs in the child before it is confined, and returns what serves requests
-  /// @param memory  more bytes of address space than this process has now
-  /// @throws std::system_error if the system provides no process
+  /// Returns the reply to a request.
   using Serve = std::function<std::string(std::string_view request)>;
-  /// What both processes see: the steps that are done for the current request.
+  /// The steps done for the current request, in memory that both processes share.
   using Steps = std::atomic<std::uint64_t>;
+
+  /// Starts the process.
+  /// @param prepare runs in the child before it is confined, and returns what serves the requests
+  /// @param memory  bytes of address space that the child may have beyond those of this process
+  /// @throws std::system_error if the system refuses the process, its pipes or its memory
   Confined(const std::function<Serve(Steps& steps)>& prepare, std::size_t memory);
   ~Confined();
 
-  /// Sends a request and waits for the reply, at most for `limit` without another step. After a
-  /// downfall the child is gone.
+  /// Sends a request and waits for the reply. Gives up if the child completes no step for `limit`.
+  /// After a downfall the child is gone.
   /// @throws proof::Stopped if Interrupt::flag() is set
   Reply ask(std::string_view request, std::chrono::milliseconds limit);
   [[nodiscard]] bool is_alive() const { return id_ > 0; }
-  /// Returns the steps that were done for the last request.
+  /// Returns the number of steps done for the last request.
   [[nodiscard]] std::uint64_t steps() const { return *steps_; }
 
  private:

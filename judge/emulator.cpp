@@ -17,12 +17,12 @@ namespace {
 
 using machine_code::EmulatorError;
 
-/// In the order of encoding, then the flags.
+/// The registers in the order of encoding, then the flags.
 constexpr std::array register_numbers{UC_X86_REG_EAX, UC_X86_REG_ECX, UC_X86_REG_EDX,
                                       UC_X86_REG_EBX, UC_X86_REG_ESP, UC_X86_REG_EBP,
                                       UC_X86_REG_ESI, UC_X86_REG_EDI, UC_X86_REG_EFLAGS};
 
-/// A call that executes more basic blocks does not end; a traced one, more instructions.
+/// A call that executes more basic blocks than this counts as endless; a traced call, more steps.
 constexpr std::uint64_t max_blocks = 2'000'000;
 constexpr std::size_t max_steps = 100'000;
 constexpr std::size_t page = 0x1000;
@@ -32,7 +32,7 @@ void check(uc_err error, const char* what) {
   throw EmulatorError(fmt::format("Unicorn: {}: {}", what, uc_strerror(error)));
 }
 
-/// Unicorn takes hooks as void*, and only a reinterpret_cast converts a function pointer.
+/// Unicorn takes hooks as void*, and only a reinterpret_cast converts a function pointer to one.
 template <class Function>
 void* hook_of(Function* function) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): see above
@@ -85,10 +85,11 @@ class Emulator final : public Machine {
           "registers");
     if (ending_.end == End::returned) return ending_;
     if (error != UC_ERR_OK && ending_.end == End::halted) ending_.end = end_after(error);
-    // In a trace, the last step is the place; otherwise it is as exact as Unicorn keeps it.
+    // A trace has the exact place, its last step. Otherwise the place is as exact as Unicorn keeps
+    // it.
     ending_.at = trace_ != nullptr && !trace_->steps.empty() ? trace_->steps.back().at
                                                              : static_cast<std::uint32_t>(at);
-    // An exception stays pending; the fresh context has none.
+    // An exception would stay pending; the fresh context has none.
     check(uc_context_restore(engine_, fresh_), "context");
     return ending_;
   }

@@ -8,7 +8,7 @@ namespace fixproof::judge {
 
 std::string absence_on_unicorn() { return machine_code::Emulator::absence(); }
 
-// Callers ask absence_on_unicorn() first.
+// Callers check absence_on_unicorn() first.
 std::unique_ptr<Machine> make_emulator(const Image& /*image*/, Trace* /*trace*/) {
   throw std::logic_error(absence_on_unicorn());
 }

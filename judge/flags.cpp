@@ -26,7 +26,7 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, n>& nam
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The flags that a condition such as `nbe` reads.
+/// Returns the flags that a condition such as `nbe` reads.
 std::optional<std::uint16_t> read_by_condition(std::string_view c) {
   if (c.starts_with('n') && c != "n") c.remove_prefix(1);
   if (c == "o") return OF;

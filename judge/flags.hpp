@@ -1,6 +1,6 @@
 /// @file
-/// What instructions do to the six arithmetic flags, from Intel's Software Developer's Manual,
-/// volume 2.
+/// What instructions do to the six arithmetic flags, according to Intel's Software Developer's
+/// Manual, volume 2.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ struct FlagEffects {
   std::uint16_t undefines = 0;
 };
 
-/// Returns the effects of an instruction. Those that leave the flags alone, and those that are not
-/// known here, have none.
+/// Returns the effects of an instruction. An instruction that this function does not know has none,
+/// like one that leaves the flags alone.
 FlagEffects flag_effects(const Line& line);
 
 }  // namespace fixproof::judge

@@ -88,7 +88,7 @@ Frame frame_of_registers(std::string_view text, std::size_t arrow) {
   return frame;
 }
 
-/// The registers that C and Pascal compilers expect to survive a call.
+/// Returns the registers that C and Pascal compilers expect a call to preserve.
 std::vector<RegisterName> kept_by_convention(int bits) {
   if (bits == 16) {
     return {{Register::bp, Size::word}, {Register::si, Size::word}, {Register::di, Size::word}};
@@ -156,7 +156,7 @@ void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
     }
     return;
   }
-  // In registers, a result behind a pointer is either a parameter or returned itself.
+  // In a frame of registers, the results behind pointers are either all parameters or all returned.
   const std::size_t operands = static_cast<std::size_t>(std::count_if(
       parameters.begin(), parameters.end(), [](const Parameter& p) { return !p.is_result; }));
   const std::size_t results = returns ? 1 : parameters.size() - operands;

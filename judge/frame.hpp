@@ -1,5 +1,5 @@
 /// @file
-/// Calling conventions: where a routine takes its operands and leaves its results.
+/// Calling conventions: where a routine finds its operands and leaves its results.
 #pragma once
 
 #include <string>
@@ -27,18 +27,18 @@ struct Place {
 
 struct Frame {
   std::string text;                  ///< as the user wrote it
-  bool on_stack = true;              ///< operands; otherwise in registers
+  bool on_stack = true;              ///< the operands are on the stack, not in registers
   bool is_far = false;               ///< the routine ends in RETF, and pointers have segments
   bool callee_pops = false;          ///< the routine removes its arguments from the stack
   bool first_is_top = true;          ///< the first argument is pushed last
-  std::vector<Place> in{};           ///< of a frame in registers
-  std::vector<Place> out{};          ///< values; empty if all results go through pointers
-  std::vector<RegisterName> kept{};  ///< that the routine must preserve, besides the stack pointer
+  std::vector<Place> in{};           ///< operands; empty if they are on the stack
+  std::vector<Place> out{};          ///< results; empty on the stack or if all are behind pointers
+  std::vector<RegisterName> kept{};  ///< must be preserved, as must the stack pointer
 };
 
 /// Parses `c`, `c-far`, `pascal`, `pascal-far`, `stdcall`, or registers:
 /// `eax, ebx -> eax`, `dx:ax, cx:bx -> dx:ax keeps si, di`, `[si], [bx], [di] ->`.
-/// @param bits of the code
+/// @param bits 16 or 32, the width of the code
 /// @throws support::UsageError for any other text
 Frame frame_named(std::string_view text, int bits);
 
@@ -46,16 +46,16 @@ Frame frame_named(std::string_view text, int bits);
 struct Parameter {
   int bits = 32;
   std::size_t numbers = 1;  ///< more than 1 only behind a pointer
-  bool is_pointer = false;  ///< in the conventions of the stack
+  bool is_pointer = false;  ///< in the stack conventions
   bool is_result = false;
   bool is_signed = true;
 };
 
-/// The parameters of a routine that computes an operation: operands, then results behind pointers.
-/// A result that is no parameter is returned.
+/// Returns the parameters of a routine that computes an operation: its operands, then its results
+/// behind pointers. A result that is not a parameter is the return value.
 std::vector<Parameter> parameters_of(const cases::Variant& variant);
 
-/// Expects that the frame has a place for each operand and result of the operation.
+/// Checks that the frame has a place for each operand and each result of the operation.
 /// @throws support::UsageError naming the place that is missing or too small
 void expect_fit(const Frame& frame, const cases::Variant& variant, int bits);
 

@@ -43,7 +43,7 @@ class Inspector {
 
  private:
   void look_at_flags(const Trace& trace) {
-    // Nothing is known of the flags that a caller leaves.
+    // A caller leaves unknown flags.
     unsigned undefined = x86model::arithmetic_flags;
     for (const Step& step : trace.steps) {
       const Line& line = listing_.at(step.at);
@@ -89,7 +89,7 @@ std::string changes_text(const Registers& before, const Registers& after, int bi
   const x86model::Size size = bits == 16 ? x86model::Size::word : x86model::Size::dword;
   for (std::size_t r = 0; r < before.general.size(); ++r) {
     if (before.general.at(r) == after.general.at(r)) continue;
-    // In 16-bit code the upper half is shown where it changes.
+    // In 16-bit code, the upper half is shown only if it changes.
     const bool high = (before.general.at(r) >> 16U) != (after.general.at(r) >> 16U);
     const auto number = static_cast<x86model::Register>(r);
     const bool wide = bits == 32 || high;

@@ -12,26 +12,26 @@
 
 namespace fixproof::judge {
 
-/// What results do not show. Each finding is the first of its kind.
+/// Defects that results do not show. Each finding is the first of its kind.
 struct Inspection {
   struct Finding {
-    std::string operands{};     ///< of the case
+    std::string operands{};     ///< the case
     Line line{};                ///< the instruction
-    std::uint32_t address = 0;  ///< of the memory, linear
+    std::uint32_t address = 0;  ///< linear, of the memory
     bool is_write = false;
-    unsigned flags = 0;  ///< that are read
+    unsigned flags = 0;  ///< the undefined flags that it reads
   };
   std::uint64_t calls = 0;
   std::optional<Finding> undefined_flag{};    ///< reads a flag that Intel leaves undefined
-  std::optional<Finding> foreign_memory{};    ///< uses memory outside its file and its stack
-  std::optional<Finding> changes_own_code{};  ///< writes to an instruction that runs
+  std::optional<Finding> foreign_memory{};    ///< uses memory outside its file, stack and operands
+  std::optional<Finding> changes_own_code{};  ///< writes to an instruction that the call runs
 
   [[nodiscard]] bool is_clean() const {
     return !undefined_flag && !foreign_memory && !changes_own_code;
   }
 };
 
-/// Traces evenly spread cases of a verification on Unicorn, which must be there.
+/// Traces 40 evenly spread cases on Unicorn, which must be installed.
 /// @throws support::UsageError if ndisasm cannot be run; proof::Stopped
 Inspection inspect(const Subject& subject);
 

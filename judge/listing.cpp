@@ -19,9 +19,9 @@ namespace fixproof::judge {
 namespace {
 
 constexpr std::chrono::seconds time_to_disassemble{20};
-/// The code that one run of ndisasm reads.
+/// Bytes of code that one run of ndisasm reads.
 constexpr std::uint32_t window = 512;
-/// No instruction is longer.
+/// The length of the longest instruction.
 constexpr std::uint32_t longest = 15;
 constexpr std::uint32_t nowhere = 0xFFFFFFFF;
 
@@ -57,7 +57,7 @@ const Line& Listing::at(std::uint32_t offset) {
     std::getline(words, line.text);
     lines_.try_emplace(line.at, line);
   }
-  // A line is as long as the way to the next; the last ones of a window may be cut off.
+  // A line extends to the next one. The window may cut off its last instructions.
   for (auto line = lines_.find(offset); line != lines_.end(); ++line) {
     if (line->second.bytes != 0) break;
     const auto next = std::next(line);
@@ -137,7 +137,7 @@ std::string source_of(const Image& image) {
     }
     return bytes;
   };
-  // Two texts of each line: the instruction, and its bytes.
+  // Each line has two forms: the instruction, and its bytes.
   std::vector<std::string> as_text;
   std::vector<std::string> as_bytes;
   for (const Line& line : lines) {
@@ -154,7 +154,7 @@ std::string source_of(const Image& image) {
                                    lines.empty() ? image.entry : lines.front().at);
     std::uint32_t at = lines.front().at;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      // What no path reaches, such as a table between instructions; overlaps are bytes of both.
+      // Bytes that no path reaches, such as a table between instructions, or that overlap.
       for (; at < lines[i].at; ++at) text += "        " + bytes_at(at, 1) + '\n';
       if (targets.contains(lines[i].at)) text += fmt::format("at_{:04x}:\n", lines[i].at);
       text += fmt::format("        {}\n", chosen[i]);
@@ -165,7 +165,7 @@ std::string source_of(const Image& image) {
   const Line& last = lines.back();
   const std::string wanted(image.memory.begin() + image.code_at(lines.front().at),
                            image.memory.begin() + image.code_at(last.at + last.bytes));
-  // NASM chooses the shortest encoding; each instruction that differs becomes bytes.
+  // NASM chooses the shortest encoding. An instruction for which that differs becomes bytes.
   std::vector<std::string> chosen = as_text;
   const std::string all = assembled(source(chosen));
   if (all == wanted) return source(chosen);

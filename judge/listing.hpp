@@ -1,5 +1,5 @@
 /// @file
-/// The instructions of an image as text, by NASM's disassembler.
+/// The instructions of an image as text, from NASM's disassembler.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace fixproof::judge {
 struct Line {
   std::uint32_t at = 0;  ///< offset in the code segment
   std::uint32_t bytes = 0;
-  std::string text{};  ///< in NASM syntax; numbers are 0x...
+  std::string text{};  ///< in NASM syntax, with numbers as 0x...
 };
 
 /// Disassembles on demand. Needs ndisasm on the PATH.
@@ -22,7 +22,7 @@ class Listing {
  public:
   explicit Listing(const Image& image) : image_(image) {}
 
-  /// Returns the instruction that starts at an offset, whatever starts before it.
+  /// Returns the instruction that starts at an offset, even if it lies within another one.
   /// @throws support::UsageError if ndisasm cannot be run
   const Line& at(std::uint32_t offset);
 
@@ -31,20 +31,21 @@ class Listing {
   std::map<std::uint32_t, Line> lines_;
 };
 
-/// Returns the offset to which a jump or call with a fixed target goes; 0xFFFFFFFF for any other
+/// Returns the target of a near jump or call whose target is fixed, or 0xFFFFFFFF for any other
 /// instruction.
 std::uint32_t target_of(const Line& line);
-/// Tells whether the next instruction in memory does not follow: a jump, a return or HLT.
+/// Tells whether execution never goes on to the next instruction in memory: after JMP, a return,
+/// HLT or a byte that is no instruction.
 bool ends_flow(const Line& line);
-/// The first word of the text, without prefixes such as REP.
+/// Returns the first word of the text after prefixes such as REP.
 std::string mnemonic_of(const Line& line);
 
-/// Returns the instructions that can run from the image's entry, by offset. Targets in registers
-/// and memory are not followed.
+/// Returns the instructions that the image's entry can reach, in the order of their offsets. Does
+/// not follow targets in registers and memory.
 std::vector<Line> reachable(const Image& image, Listing& listing);
 
-/// Returns the routine as NASM source that assembles to the same bytes; nasm is asked to show it.
-/// Instructions that it would encode in another way are written as bytes.
+/// Returns the routine as NASM source. NASM assembles it to confirm that the bytes are the same. An
+/// instruction that NASM would encode differently is written as bytes.
 /// @throws support::UsageError if nasm or ndisasm cannot be run
 std::string source_of(const Image& image);
 

@@ -47,7 +47,8 @@ void enter_at(Image& image, std::string_view at) {
   std::string_view start = at.substr(0, dots);
   if (const std::size_t colon = start.find(':'); colon != std::string_view::npos) {
     if (image.container != "MZ .EXE") {
-      throw UsageError("--at SEGMENT:OFFSET is for an .EXE; this code has one segment");
+      throw UsageError(
+          "--at SEGMENT:OFFSET is for an .EXE; this code has one segment, so write --at OFFSET");
     }
     const std::uint32_t segment = number_in(start.substr(0, colon)) + image.first / 16;
     if (segment > 0xFFFF) throw UsageError("--at: the segment is outside the file");
@@ -58,7 +59,7 @@ void enter_at(Image& image, std::string_view at) {
   if (dots != std::string_view::npos) {
     image.entry_end = number_in(at.substr(dots + 2));
     if (image.entry_end <= image.entry) {
-      throw UsageError("--at: the end is not after the offset");
+      throw UsageError("--at: END must be above OFFSET");
     }
   }
 }
@@ -76,7 +77,7 @@ void enter_symbol(Image& image, const std::string& name) {
     throw UsageError(
         fmt::format("--symbol {}: a {} has no symbols; use --at", name, image.container));
   }
-  throw UsageError(fmt::format("--symbol {}: there is none; choose one of {}",
+  throw UsageError(fmt::format("--symbol {}: there is no such symbol; choose one of {}",
                                support::quoted(name), support::printable(all)));
 }
 
@@ -85,7 +86,7 @@ void enter(Image& image, const LoadOptions& options) {
   if (!options.symbol.empty()) return enter_symbol(image, options.symbol);
   if (image.container != "ELF object") return;
   if (image.symbols.size() != 1) {
-    if (image.symbols.empty()) throw UsageError("there is no function; use --at");
+    if (image.symbols.empty()) throw UsageError("the object has no global function; use --at");
     enter_symbol(image, "");  // throws with the names
   }
   image.entry = image.symbols.front().offset;

@@ -10,19 +10,22 @@
 namespace fixproof::judge {
 
 struct LoadOptions {
-  std::optional<int> bits{};  ///< 16 or 32; by default as the container says
-  /// The routine: `OFFSET`, `OFFSET..END`, or in an .EXE `SEGMENT:OFFSET`, numbers as 0x1f, 1fh or
-  /// 31. Empty: `symbol`, or where the code starts.
+  std::optional<int> bits{};  ///< 16 or 32; by default what the container implies
+  /// The routine: `OFFSET`, `OFFSET..END`, or `SEGMENT:OFFSET` in an .EXE. Numbers are written as
+  /// 0x1f, 1fh or 31. If empty, `symbol` names the routine. Without both, the routine is the start
+  /// of the code, or the only function of an object.
   std::string at{};
   std::string symbol{};
 };
 
-/// Loads a flat binary, .COM, MZ .EXE, ELF object or NASM source. The contents tell .EXE and ELF,
-/// the name tells .COM and source; everything else is flat, from address 0.
+/// Loads a flat binary, .COM, MZ .EXE, ELF object or NASM source. An .EXE and an ELF object are
+/// recognised by their contents, a .COM program and a source by their names. Any other file is a
+/// flat binary that starts at address 0.
 /// @throws support::UsageError naming the file and what is wrong with it
 Image load(const std::string& path, const LoadOptions& options);
 
-// What load() is made of, by container. Each fills in `image` all but the routine.
+// The loaders of load(), one for each container. Each fills in `image`, with the start of the code
+// as the routine.
 
 /// @param origin the address of the first byte
 void load_flat(Image& image, const std::string& bytes, std::uint32_t origin);
@@ -32,7 +35,7 @@ void load_elf(Image& image, const std::string& bytes);
 /// Assembles a source with nasm, which must be on the PATH.
 void load_source(Image& image, const std::string& path);
 
-/// Tells whether the path ends so, in upper or lower case.
+/// Tells whether the path ends in an extension, in upper or lower case.
 bool has_extension(const std::string& path, const std::string& extension);
 
 }  // namespace fixproof::judge

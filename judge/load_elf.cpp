@@ -13,7 +13,7 @@ namespace {
 
 using support::UsageError;
 
-/// Where the first section is placed, so that 0 stays an invalid pointer.
+/// The address of the first section. It keeps 0 an invalid pointer.
 constexpr std::uint32_t origin = 0x1000;
 
 class Object {
@@ -27,7 +27,7 @@ class Object {
       throw UsageError("the ELF file is not i386 code; compile with -m32, assemble with -f elf32");
     }
     if (header.e_type != ET_REL) {
-      throw UsageError("the ELF file is linked; give the object, from before linking");
+      throw UsageError("the ELF file is linked; give the object from before linking");
     }
     if (header.e_shentsize != sizeof(Elf32_Shdr)) throw damaged();
     for (std::uint32_t i = 0; i < header.e_shnum; ++i) {
@@ -67,7 +67,7 @@ class Object {
     return section < sections_.size() && (sections_[section].sh_flags & SHF_ALLOC) != 0;
   }
 
-  /// Lays the sections out one after the other.
+  /// Places the sections one after the other.
   void place() {
     std::string flat;
     for (Elf32_Shdr& section : sections_) {
@@ -124,7 +124,7 @@ class Object {
   }
 
   void relocate(const Elf32_Shdr& list) {
-    if (!is_placed(list.sh_info)) return;  // of debugging information
+    if (!is_placed(list.sh_info)) return;  // debugging information
     const Elf32_Shdr& to = section(list.sh_info);
     for (std::uint32_t i = 0; i < list.sh_size / sizeof(Elf32_Rel); ++i) {
       const auto one = at<Elf32_Rel>(list.sh_offset + i * sizeof(Elf32_Rel));

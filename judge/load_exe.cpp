@@ -11,13 +11,14 @@ namespace {
 
 using support::UsageError;
 
-/// Where DOS might load the program: any paragraph with room for the prefix before it.
+/// Where DOS might load the program. Any paragraph with room for the program's prefix before it
+/// would do.
 constexpr std::uint16_t load_segment = 0x1000;
 constexpr std::uint32_t paragraph = 16;
 constexpr std::size_t header_bytes = 0x1C;
 /// The memory that a real-mode address can reach.
 constexpr std::size_t real_mode_bytes = 0x110000;
-/// A smaller stack of the program leaves no room for the call.
+/// The program's own stack is used unless it is smaller than this.
 constexpr std::uint32_t least_stack = 0x400;
 
 std::uint32_t word_at(const std::string& bytes, std::size_t at) {
@@ -49,7 +50,7 @@ void load_exe(Image& image, const std::string& bytes) {
   const std::size_t header = paragraph * word_at(bytes, 8);
   const std::uint32_t last_page = word_at(bytes, 2);
   const std::size_t pages = word_at(bytes, 4);
-  // The header counts the bytes of the program; debuggers append more.
+  // The header counts only the bytes of the program; debug information may follow.
   const std::size_t program = 512 * pages - (last_page == 0 ? 0 : 512 - last_page);
   if (pages == 0 || last_page > 512 || header < header_bytes || program > bytes.size() ||
       header >= program) {
@@ -66,12 +67,12 @@ void load_exe(Image& image, const std::string& bytes) {
   image.code_segment = static_cast<std::uint16_t>(load_segment + word_at(bytes, 0x16));
   image.data_segment = static_cast<std::uint16_t>(load_segment + word_at(bytes, 0x0E));
 
-  // The program's own stack, from the top: what pointers point to, then the arguments.
+  // The program's own stack has, from the top, what pointers point to, then the arguments.
   std::uint32_t top = word_at(bytes, 0x10) & ~1U;
   if (top < least_stack) top = 0xFF00;
   image.data = top - data_bytes;
   image.stack_top = image.data;
-  // Code returns to the end of its segment, which must be free.
+  // The routine returns to the end of its segment, which must be free.
   image.exit = 0x10000 - exit_bytes;
   const std::uint32_t reserved = image.end + paragraph * word_at(bytes, 0x0A);
   const std::uint32_t stack_end = image.data_at(top);

@@ -25,7 +25,7 @@ using support::UsageError;
 constexpr std::chrono::seconds time_to_assemble{20};
 constexpr std::size_t max_bytes = std::size_t{1} << 20U;
 
-/// A folder that disappears with all that is in it.
+/// A temporary folder, which is removed with its contents.
 class Scratch {
  public:
   Scratch() : name_((fs::temp_directory_path() / "fixproof.XXXXXX").string()) {
@@ -57,7 +57,7 @@ proof::Output run_nasm(const std::vector<std::string>& arguments) {
   }
 }
 
-/// Reads the origin and the symbols that NASM's map file lists.
+/// Reads the symbols of NASM's map file and returns the origin.
 std::uint32_t read_map(Image& image, const std::string& map) {
   std::istringstream lines(map);
   std::string line;
@@ -75,7 +75,7 @@ std::uint32_t read_map(Image& image, const std::string& map) {
     const auto [stop, error] = std::from_chars(first.data(), end, value, 16);
     if (first.empty() || error != std::errc() || stop != end) continue;
     if (part == "Program") origin = value;
-    // The second number is the address that the code is assembled for.
+    // The second number is the address for which the code is assembled.
     if (part == "Symbols" && !name.empty()) {
       std::from_chars(second.data(), second.data() + second.size(), value, 16);
       image.symbols.push_back({name, value});
@@ -94,9 +94,9 @@ void load_source(Image& image, const std::string& path) {
   const proof::Output output =
       run_nasm({"--before", fmt::format("[bits {}]", image.bits), "--before",
                 fmt::format("[map symbols {}]", map), "-o", code, path});
-  if (!output.in_time) throw UsageError("nasm does not end");
+  if (!output.in_time) throw UsageError("nasm does not finish");
   if (output.status != 0) {
-    // "FILE:LINE: error: what": the file is named already.
+    // The text is "FILE:LINE: error: what"; load() adds the file.
     std::string said = output.err.substr(0, output.err.find('\n'));
     if (said.starts_with(path + ":")) said.erase(0, path.size() + 1);
     throw UsageError(fmt::format("nasm: {}", support::printable(said)));

@@ -13,14 +13,14 @@
 
 namespace fixproof::judge {
 
-/// An instruction that is about to run.
+/// The state before an instruction.
 struct Step {
   std::uint32_t at = 0;  ///< its offset in the code segment
   std::uint32_t bytes = 0;
   Registers registers;
 };
 
-/// A read or write of memory by the step of that number.
+/// A read or write of memory by a step.
 struct Access {
   std::uint32_t step = 0;
   std::uint32_t address = 0;  ///< linear
@@ -43,15 +43,14 @@ class Machine : private boost::noncopyable {
   virtual Ending call(Registers& registers) = 0;
 };
 
-/// Returns why this processor cannot run the image; empty if it can.
+/// Returns why this processor cannot run the image, or an empty text if it can.
 std::string absence_on_processor(const Image& image);
-/// @throws std::system_error if the system provides no segment
+/// @throws std::system_error if the system refuses a segment for the code
 std::unique_ptr<Machine> make_processor(const Image& image);
 
-/// Returns why Unicorn cannot run an image; empty if it can.
+/// Returns why Unicorn cannot run code, or an empty text if it can.
 std::string absence_on_unicorn();
-/// @param trace where to record every step of the calls; null for speed. It must outlive the
-/// machine.
+/// @param trace receives every step of the calls, and must outlive the machine; null for speed
 /// @throws machine_code::EmulatorError
 std::unique_ptr<Machine> make_emulator(const Image& image, Trace* trace);
 

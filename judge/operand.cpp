@@ -33,7 +33,7 @@ std::optional<std::uint32_t> number_in(std::string_view text) {
   return negative ? 0 - value : value;
 }
 
-/// Parses what is between brackets: registers and numbers with signs between them.
+/// Parses the text between brackets: registers and numbers with signs between them.
 bool read_address(std::string_view text, Operand& operand) {
   while (!text.empty()) {
     const std::size_t next = text.find_first_of("+-", 1);
@@ -76,7 +76,7 @@ std::optional<Operand> operand_in(std::string_view text) {
     operand.value = *value;
     return operand;
   }
-  // NASM writes a shift by one without 0x.
+  // ndisasm writes a shift by one without 0x.
   if (text != "1") return std::nullopt;
   operand.value = 1;
   return operand;

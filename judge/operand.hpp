@@ -16,14 +16,14 @@ struct Operand {
   enum class Kind : std::uint8_t { reg, immediate, memory };
 
   Kind kind = Kind::immediate;
-  RegisterName reg{};                 ///< of a register
+  RegisterName reg{};                 ///< if it is a register
   std::uint32_t value = 0;            ///< immediate or displacement
-  std::vector<RegisterName> bases{};  ///< registers whose sum with `value` is the address
-  int bits = 0;                       ///< of memory, if the text says so; 0 otherwise
+  std::vector<RegisterName> bases{};  ///< registers; their sum with `value` is the address
+  int bits = 0;                       ///< the size in the text, or 0 if it has none
 };
 
-/// Parses the operands after the mnemonic. Empty if one is of another kind, such as a segment
-/// register, a scaled index or a segment override.
+/// Parses the operands after the mnemonic. Returns nothing if one is of another kind, such as a
+/// segment register, a scaled index or a segment override.
 std::optional<std::vector<Operand>> operands_of(const Line& line);
 
 int bits_of(const RegisterName& name);

@@ -36,9 +36,10 @@ class Prover {
   RoutineProof prove() {
     if (!claim_of(rules_, Shape::of_signed)) {
       proof_.why =
-          "there are proofs for mul, div, muldiv, add and sub of signed words of 16 and 32 bits, "
-          "for quotients that may overflow to anything or de, and for a --rule that general rules "
-          "express, or that is Doom's";
+          "only mul, div, muldiv, add and sub of signed words of 16 and 32 bits can be proven, "
+          "quotients only if --overflow and --no-result are any or de, and a --rule only if "
+          "general "
+          "rules express it or it is Doom's";
       return proof_;
     }
     SymbolicRun run = run_symbolically(subject_, listing_, terms_);
@@ -63,7 +64,7 @@ class Prover {
  private:
   [[nodiscard]] std::size_t operands() const { return cases::words_in(subject_.variant.operation); }
 
-  /// Compares the terms with the machine, because decoding and terms could be wrong together.
+  /// Compares the terms with the machine, because a wrong decoding would make a wrong proof.
   bool terms_are_those_of_machine() {
     check::GeneratedCases cases(subject_.variant, {.cases = cases_to_compare});
     sym::Evaluation evaluation(terms_, sym::concrete);
@@ -87,7 +88,7 @@ class Prover {
     return true;
   }
 
-  /// @return whether the standing is final
+  /// @return whether the outcome is final
   bool ask_all(const Claim& claim, Arithmetic arithmetic) {
     for (const Path& path : paths_) {
       const proof::SolverAnswer answer =
@@ -105,7 +106,7 @@ class Prover {
       const Answer given = runner_.answers(words).front();
       const check::JudgedCase one = judged_case(subject_.variant, words, given);
       const bool is_right = check::keeps(rules_, one.operands(), one.said) && given.broken == 0;
-      if (is_right) return false;  // it holds under abstract arithmetic only
+      if (is_right) return false;  // a counterexample of abstract arithmetic only
       proof_.standing = proof::Standing::disproven;
       proof_.counterexample = one;
       return true;

@@ -14,16 +14,16 @@ namespace fixproof::judge {
 
 struct RoutineProof {
   proof::Standing standing = proof::Standing::open;
-  std::string why{};  ///< why there is no proof: the instruction that is not modelled, or a remark
+  std::string why{};  ///< why there is no proof
   std::size_t paths = 0;
   double seconds = 0;
-  std::optional<check::JudgedCase> counterexample{};  ///< that fails on the machine, too
+  std::optional<check::JudgedCase> counterexample{};  ///< it fails on the machine, too
 };
 
-/// Asks under abstract arithmetic in each shape of the exact result, then under exact arithmetic.
-/// Only a case that fails on the machine disproves. Before that, the terms of the paths must give
-/// what the machine gives for a thousand cases.
-/// @param max_seconds limits each question
+/// First checks on a thousand cases that the terms of the paths give what the machine gives. Then
+/// asks the solver under abstract arithmetic, with each shape of the exact result, and at last
+/// under exact arithmetic. Only a case that fails on the machine disproves the routine.
+/// @param max_seconds limits each question to the solver
 /// @throws as proof::Solver::ask()
 RoutineProof prove(const Subject& subject, const check::Rules& rules, On machine,
                    const proof::Solver& solver, int max_seconds);

@@ -9,11 +9,12 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A call that takes longer does not end. It takes microseconds, or on Unicorn up to its limit.
+/// A call that takes longer counts as endless. Most take microseconds; Unicorn has its own limit,
+/// too.
 constexpr milliseconds time_of_case{1000};
 constexpr std::size_t cases_of_batch = 4096;
 
-/// Unicorn maps 1 GiB for translated code; the rest is for replies.
+/// Unicorn maps 1 GiB for translated code. The rest is for replies.
 constexpr std::size_t memory_for_code = std::size_t{1} << 26U;
 constexpr std::size_t memory_for_unicorn = std::size_t{3} << 29U;
 
@@ -21,7 +22,7 @@ template <class T>
 std::span<const T> read_as(std::string_view bytes, std::vector<T>& room) {
   static_assert(std::is_trivially_copyable_v<T>);
   room.resize(bytes.size() / sizeof(T));
-  // Of no bytes, memcpy may be given no null pointer.
+  // Even for no bytes, memcpy must not get a null pointer.
   if (!room.empty()) std::memcpy(room.data(), bytes.data(), room.size() * sizeof(T));
   return room;
 }
@@ -52,7 +53,7 @@ Answer answer_of(Machine& machine, Call& call, const cases::Variant& variant,
   return answer;
 }
 
-/// Serves batches: words of cases in, answers out.
+/// Serves batches: a request has the words of the cases, and the reply has their answers.
 Confined::Serve serve_batches(const Subject& subject, On on, Confined::Steps& steps) {
   std::shared_ptr<Machine> machine =
       on == On::processor ? make_processor(subject.image) : make_emulator(subject.image, nullptr);
@@ -76,7 +77,8 @@ Confined::Serve serve_batches(const Subject& subject, On on, Confined::Steps& st
   };
 }
 
-/// Serves one call: its words in; the answer, the number of steps, the steps and accesses out.
+/// Serves one call: the request has its words, and the reply has the answer, the number of steps,
+/// the steps and the accesses.
 Confined::Serve serve_trace(const Subject& subject) {
   const auto trace = std::make_shared<Trace>();
   const std::shared_ptr<Machine> machine = make_emulator(subject.image, trace.get());
@@ -129,7 +131,7 @@ std::vector<Answer> Runner::answers(std::span<const std::uint32_t> words) {
     if (reply.downfall != Downfall::none) {
       dead.emplace();
       dead->ending.end = reply.downfall == Downfall::out_of_time ? End::endless : End::fault;
-      // The answers before it died with the process.
+      // The answers before that case died with the process: ask again.
       const std::size_t before =
           std::min<std::size_t>(child_ ? child_->steps() : 0, some.size() / in - 1);
       if (before > 0) reply = ask(some.first(before * in));

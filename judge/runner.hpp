@@ -14,7 +14,8 @@
 
 namespace fixproof::judge {
 
-/// A routine, how to call it, and what it should compute. Outlives all that works on it.
+/// A routine, how to call it, and what it should compute. It must outlive everything that works on
+/// it.
 struct Subject {
   Image image;
   Frame frame;
@@ -39,11 +40,12 @@ class Runner {
  public:
   Runner(const Subject& subject, On machine);
 
-  /// Answers the cases in `words`, words_in(variant) words each. If the process dies at a case,
-  /// that case gets End::fault, or End::endless if it took too long, and a new process goes on.
+  /// Answers the cases in `words`, words_in(variant) words each. Stops after a case that neither
+  /// returns nor raises #DE. If the process dies at a case, that case gets End::fault, or
+  /// End::endless if it took too long.
   /// @throws proof::Stopped; std::system_error if the system provides no process
   std::vector<Answer> answers(std::span<const std::uint32_t> words);
-  /// Why the process last died; none if it never did.
+  /// Returns why the process last died, or Downfall::none if it never did.
   [[nodiscard]] Downfall downfall() const { return downfall_; }
 
  private:
@@ -61,7 +63,8 @@ struct TracedCall {
   Trace trace;
 };
 
-/// Traces one call on Unicorn. Empty if its process dies, which only a defect of Unicorn does.
+/// Traces one call on Unicorn. Returns nothing if its process dies, which only a defect of Unicorn
+/// can cause.
 /// @throws proof::Stopped
 std::optional<TracedCall> traced(const Subject& subject, std::span<const std::uint32_t> words);
 

@@ -90,11 +90,11 @@ class Explorer : private SymbolicMachine {
     for (std::size_t steps = 0; steps < max_steps; ++steps) {
       if (thread.at == image_.exit) return returned(thread);
       const std::uint32_t linear = image_.code_at(thread.at);
-      if (linear < image_.first || linear >= image_.end) throw Obstacle("it leaves the code");
+      if (linear < image_.first || linear >= image_.end) throw Obstacle("a path leaves the code");
       const Line& line = listing_.at(thread.at);
       try {
         thread.at += line.bytes;
-        if (!step(thread, line)) throw Obstacle("this is not modelled");
+        if (!step(thread, line)) throw Obstacle("this instruction is not modelled");
       } catch (const Obstacle& obstacle) {
         throw Obstacle(fmt::format("{} at {:04x}h: {}", line.text, line.at, obstacle.what()));
       }
@@ -129,7 +129,7 @@ class Explorer : private SymbolicMachine {
     paths_.push_back(path);
   }
 
-  /// Executes one instruction. @return false if it is not modelled
+  /// Executes one instruction. Returns false if it is not modelled.
   bool step(Thread& thread, const Line& line) {
     const std::string m = line.text.substr(0, line.text.find(' '));
     const auto parsed = operands_of(line);
@@ -289,7 +289,7 @@ class Explorer : private SymbolicMachine {
       case 4:
         return set(sym::sub(t_, a, b, none), m == "sub");
       case 3:
-        // SBB of a register from itself spreads the carry.
+        // This includes SBB of a register from itself, which spreads the carry.
         return set(sym::sub(t_, a, b, defined(flags.carry)));
       case 5:
       case 6:
@@ -340,7 +340,7 @@ class Explorer : private SymbolicMachine {
   std::vector<Thread> threads_;
   std::vector<Path> paths_;
   sym::State begin_;
-  std::uint32_t after_ = 0;  ///< what SP must be after the return
+  std::uint32_t after_ = 0;  ///< the right SP after the return
 };
 
 }  // namespace

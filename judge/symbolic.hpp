@@ -1,5 +1,5 @@
 /// @file
-/// Runs a routine for all operands at once, on x86model's terms.
+/// Runs a routine for all operands at once, with the terms of x86model.
 #pragma once
 
 #include <cstdint>
@@ -16,22 +16,22 @@ namespace fixproof::judge {
 /// One way through the routine.
 struct Path {
   x86model::symbolic::Term condition;
-  bool divide_error = false;          ///< otherwise it returned
-  x86model::symbolic::Term result{};  ///< as wide as a word
-  x86model::symbolic::Term kept{};    ///< whether all that must be kept is
+  bool divide_error = false;          ///< whether it ends in #DE, not in a return
+  x86model::symbolic::Term result{};  ///< one word
+  x86model::symbolic::Term kept{};    ///< whether all registers that must be preserved are
 };
 
 struct SymbolicRun {
   std::vector<Path> paths{};
-  /// Why there are none: the instruction that is not modelled, with its address, or a limit.
+  /// Why there are no paths: an instruction that is not modelled, with its address, or a limit.
   std::string obstacle{};
 };
 
-/// The name of an operand as a variable of the terms, as wide as a word: a, b, c.
+/// Returns the name of an operand's variable in the terms: a, b or c. The variable is one word.
 std::string operand_name(std::size_t index);
 
-/// Follows every path of a routine that takes and returns plain numbers. Products and quotients are
-/// applications of the abstract functions of x86model/symbolic/alu.hpp.
+/// Follows every path of a routine that takes and returns plain numbers. Products and quotients
+/// become the abstract functions of x86model/symbolic/alu.hpp.
 SymbolicRun run_symbolically(const Subject& subject, Listing& listing,
                              x86model::symbolic::Terms& terms);
 

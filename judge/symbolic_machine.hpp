@@ -1,5 +1,5 @@
 /// @file
-/// The registers, flags, stack and memory of a symbolic run, and the operands in them.
+/// The registers, flags, stack and memory of a symbolic run, and access to operands in them.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 
 namespace fixproof::judge {
 
-/// An instruction or a state that is not modelled ends the whole run.
+/// Something that is not modelled. It ends the whole run.
 class Obstacle : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -23,12 +23,13 @@ class Obstacle : public std::runtime_error {
 
 /// A path in progress.
 struct Thread {
-  x86model::symbolic::State state;  ///< its memory is of bytes, by linear address
+  x86model::symbolic::State state;  ///< its memory holds bytes, by linear address
   x86model::symbolic::Term condition;
   std::uint32_t at = 0;  ///< offset of the next instruction
 };
 
-/// Reads and writes the state of a thread. Every function throws Obstacle for what is not modelled.
+/// Reads and writes the state of a thread. Every function throws Obstacle if it meets something
+/// that is not modelled.
 class SymbolicMachine {
  protected:
   using Term = x86model::symbolic::Term;
@@ -53,7 +54,7 @@ class SymbolicMachine {
     if (address >= image_.first && address < image_.end) {
       return t_.constant(image_.memory[address], 8);
     }
-    throw Obstacle(fmt::format("memory at {:x}h that nobody has written is not modelled", address));
+    throw Obstacle(fmt::format("a read of uninitialised memory at {:x}h is not modelled", address));
   }
 
   Term load_at(const Thread& thread, std::uint32_t address, int bits) {
@@ -119,12 +120,11 @@ class SymbolicMachine {
   }
 
   static Term defined(const x86model::symbolic::FlagTerm& flag) {
-    if (!flag)
-      throw Obstacle("it reads a flag that Intel leaves undefined, or that is not modelled");
+    if (!flag) throw Obstacle("it reads a flag that is undefined or not modelled");
     return *flag;
   }
 
-  /// The value of a condition such as `nz` or `ge`.
+  /// Returns the value of a condition such as `nz` or `ge`, or nothing if it is not modelled.
   std::optional<Term> condition(const Thread& thread, std::string c) {
     const x86model::symbolic::FlagTerms& f = thread.state.flags;
     const auto differ = [&](Term a, Term b) {

@@ -63,7 +63,7 @@ void set(int option, unsigned long first, unsigned long second) {
 void allow_only_computing() {
   std::vector<sock_filter> filter;
   if (architecture != 0) {
-    // Code of another mode, such as INT 80h in 64-bit processes, has other numbers of calls.
+    // Calls of another mode, such as INT 80h in a 64-bit process, have other numbers.
     filter.push_back(statement(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)));
     filter.push_back(jump_if_equal(architecture, 1, 0));
     filter.push_back(statement(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS));

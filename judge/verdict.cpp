@@ -14,16 +14,16 @@ namespace fixproof::judge {
 
 namespace {
 
-/// Cases for finding the rounding; all of them then judge it.
+/// The number of cases that find the rounding. All cases then judge by it.
 constexpr std::uint64_t cases_for_guess = 20'000;
-/// The same for results of several words, whose rules take longer to try.
+/// The same for results of several words, for which each rule takes longer.
 constexpr std::uint64_t cases_for_choice = 2000;
 
 bool is_right(const check::Rules& rules, const check::JudgedCase& one) {
   return check::keeps(rules, one.operands(), one.said);
 }
 
-/// Orders cases by the bits of their operands.
+/// Returns a measure of a case that grows with the bits of its operands.
 int size_of(const cases::Variant& v, std::span<const std::uint32_t> words) {
   const std::uint64_t sign = std::uint64_t{1} << (v.format.word_bits - 1);
   int size = 0;
@@ -39,7 +39,7 @@ int size_of(const cases::Variant& v, std::span<const std::uint32_t> words) {
   return size;
 }
 
-/// The simplest wrong case that is found from a wrong case.
+/// Returns the simplest wrong case that shrinking a wrong case finds.
 check::JudgedCase smallest_from(const Subject& subject, const check::Rules& rules, On machine,
                                 std::vector<std::uint32_t> words) {
   Runner runner(subject, machine);
@@ -50,7 +50,7 @@ check::JudgedCase smallest_from(const Subject& subject, const check::Rules& rule
   };
   if (subject.variant.format.word_bits <= 32) {
     check::JudgedCase before = judged(words);
-    if (is_right(rules, before)) return before;  // it does not happen again: see Verdict::unsteady
+    if (is_right(rules, before)) return before;  // not wrong again: see Verdict::unsteady
     words = verify::shrink(
         std::move(words), subject.variant.format.word_bits,
         [&](std::span<const std::uint32_t> tried) { return !is_right(rules, judged(tried)); });

@@ -1,5 +1,5 @@
 /// @file
-/// Judges a user's routine by many cases.
+/// Judges a user's routine on many cases.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@
 namespace fixproof::judge {
 
 struct VerdictOptions {
-  check::Rules rules;             ///< those that the routine should follow
-  bool rounding_is_open = false;  ///< find the rounding, then judge by it
+  check::Rules rules;             ///< what the routine should follow
+  bool rounding_is_open = false;  ///< judge by the rounding that fits best
   check::CaseOptions cases{};
-  std::size_t shown = 3;  ///< wrong results to keep
+  std::size_t shown = 3;  ///< number of wrong results to keep
   std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
 };
 
-/// A case at which something happened.
+/// A case in which something happened.
 struct Incident {
   std::vector<std::uint32_t> words{};
   std::string operands{};  ///< the words as text
@@ -32,36 +32,36 @@ struct Incident {
 
 struct Verdict {
   On machine = On::processor;
-  std::string note{};  ///< why not the processor; empty otherwise
+  std::string note{};  ///< why the machine is not the processor; else empty
   std::uint64_t cases = 0;
   double seconds = 0;
-  std::uint64_t on_both = 0;  ///< cases that both machines answered
+  std::uint64_t on_both = 0;  ///< number of cases that both machines answered
   check::Rules rules;         ///< with the rounding that was found, if it was open
   std::optional<check::Judge> judge{};
   std::uint64_t divide_errors = 0;
   std::optional<Incident> first_divide_error{};
-  std::optional<Incident> stuck{};          ///< a call that did not end as a routine should
+  std::optional<Incident> stuck{};          ///< a call that neither returned nor raised #DE
   std::optional<Incident> not_preserved{};  ///< the first case that breaks the convention
   std::uint64_t not_preserved_count = 0;
-  std::optional<Incident> unsteady{};  ///< a case with two results, as registers and flags differ
-  unsigned changed = 0;                ///< see Call::changed()
-  std::optional<check::JudgedCase> smallest{};  ///< wrong case
+  std::optional<Incident> unsteady{};           ///< a case with another result in a second run
+  unsigned changed = 0;                         ///< see Call::changed()
+  std::optional<check::JudgedCase> smallest{};  ///< the simplest wrong case
 
   [[nodiscard]] bool is_right() const {
     return !stuck && !not_preserved && !unsteady && (!judge || judge->wrong().count() == 0);
   }
 };
 
-/// Judges an operation of check::is_judged(). Stops at the first call that does not end, or ends
-/// in something else than a return or #DE.
+/// Judges an operation of check::is_judged(). Stops at the first call that neither returns nor
+/// raises #DE.
 /// @throws support::UsageError if no machine can run the routine; proof::Stopped
 Verdict judge_routine(const Subject& subject, const VerdictOptions& options);
 
-/// The result of a case as check takes it.
+/// Returns a case and its result in the form that check judges.
 check::JudgedCase judged_case(const cases::Variant& variant, std::span<const std::uint32_t> words,
                               const Answer& answer);
 
-/// A rule that a sin_cos or a transform may follow.
+/// A rule that sin_cos or transform may follow.
 struct Candidate {
   std::string name;
   std::function<void(std::span<const std::uint32_t> in, std::span<std::uint32_t> out)> results;
@@ -71,10 +71,10 @@ struct Candidate {
 
 struct WholeVerdict {
   Verdict verdict;                      ///< without a judge
-  std::vector<Candidate> candidates{};  ///< those with the fewest exceptions first
+  std::vector<Candidate> candidates{};  ///< fewest exceptions first
 };
 
-/// Judges cossin and xformvec in 16.16, whose results are several words.
+/// Judges cossin or xformvec in 16.16, whose results have several words.
 WholeVerdict judge_whole(const Subject& subject, const VerdictOptions& options);
 
 }  // namespace fixproof::judge

@@ -1,6 +1,6 @@
 /// \file
-/// Overflow as a value, arithmetic between formats, and exact intermediate results of recorded
-/// numbers.
+/// Recorded forms of the operations with overflow as a value, between formats, and with exact
+/// intermediate results.
 #pragma once
 
 #include <concepts>
@@ -17,7 +17,7 @@ namespace fixproof {
 
 namespace record::detail {
 
-/// The plain number, of one that is plain already too.
+/// Returns the plain number of a plain or a recorded number.
 template <class N>
 constexpr N plain(N x) noexcept {
   return x;
@@ -35,7 +35,7 @@ struct plain_type_of<recorded_number<N>> {
   using type = N;
 };
 
-/// The result of a number as that of a recorded number.
+/// Returns the result of an operation with recorded numbers in place of plain ones.
 template <class N>
 constexpr std::optional<recorded_number<N>> as_recorded(const std::optional<N>& x) noexcept {
   return x ? std::optional<recorded_number<N>>(*x) : std::nullopt;
@@ -114,7 +114,7 @@ FIXPROOF_RECORDED_MIXED(divide, divide_to)
 // NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
 /// \endcond
 
-/// As that of number.
+/// As ratio() of plain numbers.
 template <class R, detail::integer Int>
 requires record::detail::is_recorded<R>
 [[nodiscard]] constexpr R ratio(Int n, Int d) noexcept(R::divide_never_throws) {
@@ -123,7 +123,7 @@ requires record::detail::is_recorded<R>
       record::nowhere, [](Int x, Int y) { return fixproof::ratio<N>(x, y); }, n, d);
 }
 
-/// The accumulator of a recorded number: records every term, and the result.
+/// The accumulator of recorded numbers. It records every term and the result.
 template <class N>
 class accumulator<recorded_number<N>> {
   using recorded = recorded_number<N>;
@@ -132,7 +132,7 @@ class accumulator<recorded_number<N>> {
   /// Zero.
   constexpr accumulator() noexcept = default;
 
-  /// \name As those of number
+  /// \name As in the accumulator of plain numbers
   /// \{
 
   /// Adds or subtracts a number or a product.

@@ -1,5 +1,5 @@
 /// \file
-/// The functions of recorded numbers: those of number, recorded.
+/// The functions of plain numbers for recorded numbers.
 #pragma once
 
 #include <array>
@@ -109,7 +109,7 @@ FIXPROOF_RECORDED_1(acos, acos)
 /// \name Functions with two results
 /// \{
 
-/// As those of number.
+/// As those of plain numbers.
 template <class N>
 [[nodiscard]] constexpr cos_sin<recorded_number<N>> sin_cos(
     recorded_number<N> angle,
@@ -154,8 +154,9 @@ template <class N>
 /// \name Angles in tenths of a degree
 /// \{
 
-/// As those of number, which are templates for every type: of two functions with one list of
-/// parameters the compiler takes the one with more constraints. So there is none for the place.
+/// As those of plain numbers, which are templates for every type. The compiler takes these, because
+/// of two functions with the same parameters it takes the one with more constraints. So there can
+/// be no parameter for the place.
 template <class R>
 requires record::detail::is_recorded<R>
 [[nodiscard]] constexpr cos_sin<R> sin_cos_of_tenths(std::integral auto angle) noexcept {
@@ -180,7 +181,7 @@ requires record::detail::is_recorded<R>
 }
 /// \}
 
-/// As that of number: n / d, or nothing.
+/// As try_divide() of plain numbers: n / d, or nothing.
 template <class N>
 [[nodiscard]] constexpr std::optional<recorded_number<N>> try_divide(
     recorded_number<N> n, std::type_identity_t<recorded_number<N>> d,
@@ -190,14 +191,14 @@ template <class N>
   return result ? std::optional<recorded_number<N>>(*result) : std::nullopt;
 }
 
-/// x rounded to an integer. Not recorded: it makes no number.
+/// Returns x rounded to an integer. It makes no number, so it is not recorded.
 template <rounding Rule, class N>
 [[nodiscard]] constexpr auto to_integer(recorded_number<N> x) noexcept {
   return fixproof::to_integer<Rule>(x.value_);
 }
 
 /// \name Signs and classes
-/// As those of number, not recorded.
+/// As those of plain numbers, and not recorded.
 /// \{
 template <class N>
 [[nodiscard]] constexpr bool(signbit)(recorded_number<N> x) noexcept {
@@ -221,8 +222,8 @@ template <class N>
 }
 /// \}
 
-/// The sum of products of two ranges of recorded numbers, as that of numbers. The record has the
-/// number of terms and a hash of each range.
+/// The sum of products of two ranges, as dot() of plain numbers. The record has the number of terms
+/// and a hash of each range.
 template <detail::number_range A, detail::number_range B>
 requires std::same_as<detail::element_t<A>, detail::element_t<B>> &&
     record::detail::is_recorded<detail::element_t<A>>

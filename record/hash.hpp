@@ -1,6 +1,6 @@
 /// \file
-/// The hashes of records, blocks and pages. They read words as numbers, so the order of bytes does
-/// not matter.
+/// The hashes of records, blocks and pages. They take words as numbers, so byte order does not
+/// matter.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace fixproof::record {
 
-/// The upper half of the product of a and b, xor the lower half.
+/// Returns the upper half of the 128-bit product of a and b, xor the lower half.
 constexpr std::uint64_t folded_product(std::uint64_t a, std::uint64_t b) noexcept {
 #if defined(__SIZEOF_INT128__) && !defined(FIXED_NO_INT128)
   __extension__ using wide = unsigned __int128;
@@ -24,22 +24,22 @@ constexpr std::uint64_t folded_product(std::uint64_t a, std::uint64_t b) noexcep
 #endif
 }
 
-/// The hash of a sequence of pairs of words, one pair further. The factor makes it depend on the
-/// order. The product is not in the way of the next pair, so this costs two cycles where they
-/// count.
+/// Returns the hash of a sequence of pairs of words, extended by one pair. The factor 9 makes the
+/// hash depend on the order. The product does not depend on the hash, so each pair adds only two
+/// cycles to a chain of hashes.
 constexpr std::uint64_t next_hash(std::uint64_t hash, std::uint64_t first,
                                   std::uint64_t second) noexcept {
   return hash * 9 + folded_product(first ^ 0x9e3779b97f4a7c00, second ^ 0xd1b54a32d192ed03);
 }
 
-/// The hash of `count` words, an even number.
+/// Returns the hash of `count` words, an even number.
 constexpr std::uint64_t hash_words(const std::uint64_t* words, std::size_t count) noexcept {
   std::uint64_t hash = 0;
   for (std::size_t i = 0; i < count; i += 2) hash = next_hash(hash, words[i], words[i + 1]);
   return hash;
 }
 
-/// The hash of a text: of each byte with its place.
+/// Returns the hash of a text, which takes each byte with its index.
 constexpr std::uint64_t hash_text(const char* text, std::size_t length) noexcept {
   std::uint64_t hash = length;
   for (std::size_t i = 0; i < length; ++i) {

@@ -1,12 +1,13 @@
 /// \file
-/// What a record of a log can be, with its number in the log and its name.
+/// The kinds of records in a log, with their numbers and names.
 #pragma once
 
 #include <cstdint>
 
 namespace fixproof::record {
 
-// The numbers are part of the format of the log (docs/recorder.md): add new ones at the end.
+// The numbers are part of the format of the log (docs/recorder.md): never change one, and add new
+// operations after the last one.
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): makes an enumeration and its names
 /// Calls X(number, name, text) for every kind of record.
 #define FIXPROOF_RECORD_KINDS(X)                                        \
@@ -129,14 +130,14 @@ namespace fixproof::record {
   X(126, place, "place")
 // NOLINTEND(cppcoreguidelines-macro-usage)
 
-/// The kind of a record: an operation of the type, or what the program says about the run.
+/// The kind of a record: an operation of the type, or what the program reports about the run.
 enum class kind : std::uint8_t {
 #define FIXPROOF_RECORD_ONE(number, name, text) name = number,
   FIXPROOF_RECORD_KINDS(FIXPROOF_RECORD_ONE)
 #undef FIXPROOF_RECORD_ONE
 };
 
-/// The name of a kind, or null if the number has none.
+/// Returns the name of a kind, or null if there is no kind with its number.
 constexpr const char* text_of(kind k) noexcept {
   switch (k) {
 #define FIXPROOF_RECORD_ONE(number, name, text) \
@@ -148,7 +149,8 @@ constexpr const char* text_of(kind k) noexcept {
   return nullptr;
 }
 
-/// Whether records of this kind count as operations: all but inputs, frames, marks and places.
+/// Tells whether a record of this kind counts as an operation. All do except inputs, frames, marks
+/// and places.
 constexpr bool is_operation(kind k) noexcept { return k < kind::input; }
 
 }  // namespace fixproof::record

@@ -1,5 +1,5 @@
 /// \file
-/// A log, and what the program says about its run: frames and marks.
+/// A log of a run, and what the program reports about the run, such as frames and marks.
 #pragma once
 
 #include <array>
@@ -18,13 +18,15 @@
 
 namespace fixproof::record {
 
-/// A range of blocks or frames, both ends included, to record in full. Empty: `last` < `first`.
+/// A range of blocks or frames to record in full, both ends included. It is empty if `last` <
+/// `first`.
 struct full_range {
   bool is_of_frames = false;
   std::int64_t first = 0;
   std::int64_t last = -1;
 
-  /// Reads "97-98" (blocks) or "frames:12-13". Anything else is an empty range.
+  /// Reads a range of blocks such as "97-98", or of frames such as "frames:12-13". Returns an empty
+  /// range for anything else.
   [[nodiscard]] static full_range from_text(std::string_view text) noexcept {
     full_range range;
     constexpr std::string_view frames = "frames:";
@@ -55,21 +57,22 @@ struct full_range {
   }
 };
 
-/// What a log is opened with.
+/// The options of a log.
 struct options {
-  /// Named in the log.
+  /// The name of the program, for the log.
   std::string_view program = "unnamed";
-  /// What to record in full; by default what the environment variable FIXPROOF_RECORD_FULL says.
+  /// What to record in full. The default is the range in the environment variable
+  /// FIXPROOF_RECORD_FULL.
   full_range full = from_environment();
 
-  /// The range in FIXPROOF_RECORD_FULL, or an empty one.
+  /// Returns the range in FIXPROOF_RECORD_FULL, or an empty one.
   [[nodiscard]] static full_range from_environment() noexcept {
     const char* const text = std::getenv("FIXPROOF_RECORD_FULL");
     return text == nullptr ? full_range{} : full_range::from_text(text);
   }
 };
 
-/// How far a run is: equal on two machines whose operations so far are equal.
+/// How far a run has come. Two machines whose operations so far are equal have the same position.
 struct position {
   std::uint64_t records = 0;  ///< Operations, frames and marks.
   std::uint64_t hash = 0;     ///< The sum of their hashes.
@@ -82,34 +85,35 @@ struct place {
   const char* file;
   unsigned line;
 };
-/// No place: that of the record before counts.
+/// No place. The place of the record before remains in force.
 inline constexpr place nowhere{"", 0};
 
 class log;
 
 namespace detail {
 
-// What the operations of a thread work on. Not members of one class: g++ would load and store them
-// together in a vector register, which is several times slower.
+// The state that each operation of a thread updates. They are not members of one class, because g++
+// would load and store them together in a vector register, which is several times slower.
 
 /// The hash of the block so far.
 inline constinit thread_local word current_hash = 0;
-/// The records until room() must be called. Without a log so many that it never is.
+/// The number of records until taken() must be called. Without a log it starts at 0 and wraps
+/// around, so that taken() is never called.
 inline constinit thread_local word current_left = 0;
-/// The log of this thread. A log is of one thread: the order of operations between threads differs
-/// from run to run.
+/// The log of this thread. Each log belongs to one thread, because the order of operations in
+/// different threads differs from run to run.
 inline constinit thread_local log* current_log = nullptr;
 
-/// Takes a record at which `current_left` would become 0. \return what it becomes instead
+/// Takes a record at which `current_left` would become 0. Returns what it becomes instead.
 word taken(const word* words, std::size_t count, place from) noexcept;
-/// The same for two words, which then need not be in memory before.
+/// The same for a record of two words, which the caller then need not put into memory.
 word taken(word first, word second, place from) noexcept;
 
-/// Puts a record into the hash of the block.
+/// Adds a record to the hash of the block.
 template <std::size_t Count>
 inline void put(const std::array<word, Count>& words, place from) noexcept {
   static_assert(Count % 2 == 0 && Count <= max_record_words);
-  // A sum, which does not depend on the order: compilers choose which operand of an operator they
+  // A sum does not depend on the order, and compilers choose which operand of an operator they
   // compute first.
   word hash = current_hash + hash_words(words.data(), Count);
   word left = current_left - 1;
@@ -130,13 +134,14 @@ inline void put(const std::array<word, Count>& words, place from) noexcept {
 
 /// Records the operations of this thread from its construction to its destruction.
 ///
-/// It keeps a hash of each block of 1,024 records and of all blocks so far, and appends them to the
-/// file in pages with checksums. It takes 3 KiB of memory, and up to 2 MiB for the names of marks
-/// and sources, however long the run is. If the file cannot be opened or written, good() is false
-/// and the program goes on as without a log.
+/// The log keeps a hash of each block of 1,024 records and of all blocks so far, and appends them
+/// to the file in pages with checksums. It takes 3 KiB of memory, and up to 2 MiB for the names of
+/// marks and sources, however long the run is. If the file cannot be opened or written, good()
+/// returns false, and the program continues as without a log.
 class log {
  public:
-  /// Replaces the file. A second log of the same thread takes over until it is destroyed.
+  /// Opens a log and replaces the file at `path`. A second log of a thread takes over until it is
+  /// destroyed.
   explicit log(const std::string& path, const options& how = {})
       : file_(path.c_str()),
         full_(how.full),
@@ -149,7 +154,7 @@ class log {
     detail::current_log = this;
     begin_block();
   }
-  /// Writes what is left and marks the last block as one that the end of the run cut.
+  /// Writes what is left. Marks the last block as one that ends with the run.
   ~log() {
     end_block(entry_is_last);
     flush();
@@ -162,7 +167,7 @@ class log {
   log& operator=(const log&) = delete;
   log& operator=(log&&) = delete;
 
-  /// Whether everything so far could be written.
+  /// Tells whether everything so far was written.
   [[nodiscard]] bool good() const noexcept { return file_.good(); }
 
   /// Begins a frame; see record::frame().
@@ -176,16 +181,17 @@ class log {
 
   /// Names what follows; see record::mark().
   void mark(std::string_view name) noexcept {
+    name = name.substr(0, max_name_length);
     const word number = number_of(name);
     put_remark(kind::mark, hash_text(name.data(), name.size()));
     if (number != 0) name_ = number;
   }
 
-  /// Says that no frame up to this one will be simulated again.
+  /// Says that frames up to this one are final; see record::confirm().
   void confirm(std::int64_t number) noexcept { confirmed_ = number; }
 
-  /// In a block that is recorded in full, writes the double that the next record converts. It is
-  /// not part of a hash: what rounding hides is no difference of the numbers.
+  /// Writes the double that the next record converts, if the block is recorded in full. No hash
+  /// covers the double, because a difference that rounding hides is no difference of the numbers.
   void input(double x) noexcept {
     if (!is_recorded_) return;
     const std::array<word, 2> words{static_cast<word>(kind::input), std::bit_cast<word>(x)};
@@ -202,7 +208,7 @@ class log {
     entries_ = 0;
   }
 
-  /// How far this run is.
+  /// Returns how far this run has come.
   [[nodiscard]] position where() const noexcept {
     return {total_ + records_ + (granted_ - detail::current_left), prefix_ + detail::current_hash};
   }
@@ -217,7 +223,7 @@ class log {
     return word{static_cast<std::uint32_t>(type)} << 32 | magic;
   }
 
-  /// Appends a page with what all pages share, and empties it.
+  /// Fills in what all pages have, appends the page, and clears it.
   void append(std::array<word, page_words>& page) noexcept {
     page[2] = page_first_;
     if (page[0] == first_word(page_type::blocks)) {
@@ -230,7 +236,7 @@ class log {
     page = {};
   }
 
-  /// The number of a name, from 1; 0 if there are too many.
+  /// Returns the number of a name, from 1, or 0 if there are too many names.
   word number_of(std::string_view name) noexcept {
     name = name.substr(0, max_name_length);
     try {
@@ -268,12 +274,12 @@ class log {
     block_name_ = name_;
     place_ = 0;
     detail::current_hash = 0;
-    // In a block that is recorded in full every record is taken, with its place.
+    // In a block that is recorded in full, take() gets every record, with its place.
     granted_ = is_recorded_ ? 1 : block_records;
     detail::current_left = granted_;
   }
 
-  /// Summarises the block, unless it is empty.
+  /// Writes the entry of the block, unless the block is empty.
   void end_block(word flags) noexcept {
     records_ += granted_ - detail::current_left;
     if (records_ == 0) return;
@@ -308,7 +314,7 @@ class log {
     return detail::current_left;
   }
 
-  /// Writes a record of the place if it is another one than before.
+  /// Writes a record of the place if the place has changed.
   void put_place(place from) noexcept {
     if (from.line == 0) return;
     const word here = number_of(from.file) << 32 | from.line;
@@ -339,17 +345,17 @@ class log {
   word entries_ = 0;
   word page_first_ = 0;
   word page_operation_ = 0;
-  std::array<word, page_words> record_page_{};  ///< Records of a block in full.
+  std::array<word, page_words> record_page_{};  ///< Records of a block that is recorded in full.
   std::size_t used_ = 0;
   word place_ = 0;
 
-  word block_ = 0;      ///< Finished blocks,
-  word operation_ = 0;  ///< the operations in them,
-  word total_ = 0;      ///< and their records.
+  word block_ = 0;      ///< The number of finished blocks.
+  word operation_ = 0;  ///< The number of operations in them.
+  word total_ = 0;      ///< The number of records in them.
   word prefix_ = 0;
   bool is_recorded_ = false;
   bool begins_frame_ = false;
-  word granted_ = 0;  ///< What current_left was when `records_` and `remarks_` were counted.
+  word granted_ = 0;  ///< What current_left was when `records_` was last updated.
   word records_ = 0;
   word remarks_ = 0;
   std::int64_t frame_ = no_frame;
@@ -379,29 +385,30 @@ taken(word first, word second, place from) noexcept {
 
 }  // namespace detail
 
-/// Says that the frame `number` begins. Frames may repeat, where a program goes back and simulates
-/// again. Without a log it does nothing, as the other functions.
+/// Says that the frame `number` begins. Frames may repeat if a program goes back and simulates them
+/// again. Like the functions below, it does nothing without a log.
 inline void frame(std::int64_t number) noexcept {
   if (log* const owner = detail::current_log) owner->frame(number);
 }
 
-/// Names what follows, until the next mark: "collide", "player 3". Of the text 255 bytes count, and
-/// 4,096 names.
+/// Names what follows until the next mark, such as "collide" or "player 3". A log keeps the first
+/// 255 bytes of a name, and 4,096 names.
 inline void mark(std::string_view name) noexcept {
   if (log* const owner = detail::current_log) owner->mark(name);
 }
 
-/// Says that no frame up to `number` will be simulated again.
+/// Says that frames up to `number` are final: the program will not simulate them again.
 inline void confirm(std::int64_t number) noexcept {
   if (log* const owner = detail::current_log) owner->confirm(number);
 }
 
-/// Writes the finished blocks to the file, so that they are not lost if the program is killed.
+/// Writes the finished blocks to the file, so that they survive if the program is killed.
 inline void flush() noexcept {
   if (log* const owner = detail::current_log) owner->flush();
 }
 
-/// How far the run is, for machines to compare while they run. Both are 0 without a log.
+/// Returns how far the run has come, for machines to compare while they run. Both members are 0
+/// without a log.
 inline position where() noexcept {
   const log* const owner = detail::current_log;
   return owner == nullptr ? position{} : owner->where();

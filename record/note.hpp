@@ -25,14 +25,14 @@ struct value {
   word bits;
 };
 
-/// Many operands as one.
+/// The hash of many operands, as one operand.
 struct digest {
   word hash;
 };
 
 constexpr std::uint32_t class_code(value_class c) noexcept { return static_cast<std::uint32_t>(c); }
 
-/// The bits of an integer in two's complement, with the sign extended to 64 bits.
+/// Returns an integer in two's complement, extended to 64 bits by its sign.
 constexpr word bits_of(std::integral auto integer) noexcept { return static_cast<word>(integer); }
 
 template <class Raw, int F, policy P>
@@ -44,7 +44,7 @@ constexpr value value_of(Int x) noexcept {
   if constexpr (std::same_as<Int, bool>) {
     return {class_code(value_class::boolean), x ? word{1} : word{0}};
   } else {
-    // `long` has 32 bits on some machines, so integers count as 64 bits.
+    // `long` has 32 bits on some machines, so every integer is recorded with 64 bits.
     return {integer_code(8, !std::in_range<std::int64_t>(x)) | class_code(value_class::integer),
             bits_of(x)};
   }
@@ -54,7 +54,8 @@ constexpr value value_of(digest x) noexcept { return {class_code(value_class::di
 /// \name The values of a result
 /// \{
 
-/// A number or an integer; nothing or a number; a number and whether it overflowed; two numbers.
+/// A result may be a number or an integer, an optional number, a number and whether it overflowed,
+/// or two values.
 template <class T>
 constexpr std::array<value, 1> values_of(const T& x) noexcept {
   return {value_of(x)};
@@ -78,13 +79,13 @@ constexpr std::array<value, 2> values_of(const std::pair<A, B>& x) noexcept {
 }
 /// \}
 
-/// Whether a kind has an integer as its second operand in a short record.
+/// Tells whether the second operand in a short record of this kind is an integer.
 constexpr bool has_integer(kind k) noexcept {
   return k == kind::shift_left || k == kind::shift_right ||
          (k >= kind::add_integer && k <= kind::remainder_integer);
 }
 
-/// A record of any operands and results.
+/// Records any operands and results.
 template <std::size_t Operands, std::size_t Results>
 inline void note_long(word first, place from, const std::array<value, Operands>& operands,
                       const std::array<value, Results>& results) noexcept {
@@ -104,8 +105,8 @@ inline void note_long(word first, place from, const std::array<value, Operands>&
   put(words, from);
 }
 
-/// A record of one or two operands that are numbers of the type of the result. The second one may
-/// be an integer of 32 bits.
+/// Records one or two operands that have the type of the result. The second one may be an integer
+/// of 32 bits.
 template <kind K, class Number>
 inline void note_short(place from, word a, word b, Number result) noexcept {
   constexpr word tag = type_code<Number> | static_cast<std::uint32_t>(K);
@@ -121,13 +122,13 @@ constexpr bool fits_in_32_bits(std::integral auto x) noexcept {
   return std::in_range<std::int32_t>(x);
 }
 
-/// Puts a number that came from outside into the log.
+/// Records a number that comes from outside.
 template <kind K, class Number>
 inline void note_input(place from, Number x) noexcept {
   note_short<K>(from, 0, 0, x);
 }
 
-/// A record of exact operands: of numbers and integers.
+/// Records an operation whose operands are numbers and integers.
 template <kind K, class Number, class Result, class... Operands>
 inline void note_exact(place from, const Result& result, const Operands&... operands) noexcept {
   if constexpr (std::same_as<Result, Number>) {
@@ -148,12 +149,12 @@ inline void note_exact(place from, const Result& result, const Operands&... oper
   note_long(word{type_code<Number>} | static_cast<word>(K), from, values, values_of(result));
 }
 
-/// Tells the log what a conversion of a float or double starts from.
+/// Gives the log the float or double that a conversion starts from.
 inline void input_of(std::floating_point auto x) noexcept {
   current_log->input(static_cast<double>(x));
 }
 
-/// Puts an operation into the log. `Number` is the type whose operation it is.
+/// Records an operation of the type `Number`.
 template <kind K, class Number, class Result, class... Operands>
 inline void note(place from, const Result& result, const Operands&... operands) noexcept {
   if constexpr ((std::floating_point<Operands> || ...)) {
@@ -163,14 +164,14 @@ inline void note(place from, const Result& result, const Operands&... operands) 
     note_exact<K, Number>(from, result, operands...);
   }
 }
-/// Puts an operation without a result into the log: a term of a sum.
+/// Records an operation without a result, a term of a sum.
 template <kind K, class Number, class... Operands>
 inline void note_term(place from, const Operands&... operands) noexcept {
   const std::array<value, sizeof...(Operands)> values{value_of(operands)...};
   note_long(word{type_code<Number>} | static_cast<word>(K), from, values, std::array<value, 0>{});
 }
 
-/// Puts an operation that threw into the log.
+/// Records an operation that threw.
 template <kind K, class Number, class... Operands>
 inline void note_throw(place from, const Operands&... operands) noexcept {
   if constexpr ((std::floating_point<Operands> || ...)) {
@@ -184,7 +185,7 @@ inline void note_throw(place from, const Operands&... operands) noexcept {
   }
 }
 
-/// Computes `compute(operands...)` and puts it into the log, except in constant expressions.
+/// Returns `compute(operands...)`, and records the operation except in constant expressions.
 template <kind K, class Number, class Compute, class... Operands>
 constexpr auto logged(place from, const Compute& compute, const Operands&... operands) {
   if (std::is_constant_evaluated()) return compute(operands...);

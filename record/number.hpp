@@ -23,7 +23,7 @@ inline constexpr bool is_recorded = false;
 template <class Number>
 inline constexpr bool is_recorded<recorded_number<Number>> = true;
 
-/// The place where a default argument stands that has this value.
+/// Returns a place. As a default argument, FIXPROOF_HERE gives the place of the call.
 constexpr place here(const char* file, unsigned line) noexcept { return {file, line}; }
 
 }  // namespace record::detail
@@ -32,11 +32,11 @@ constexpr place here(const char* file, unsigned line) noexcept { return {file, l
 // argument
 #define FIXPROOF_HERE fixproof::record::detail::here(__builtin_FILE(), __builtin_LINE())
 
-/// A Number, such as q16_16, that puts each of its operations into the log of its thread: which
-/// one, its operands and its result.
+/// A Number, such as q16_16, that puts each of its operations into the log of its thread, with the
+/// operands and the result.
 ///
-/// It has the interface and the results of Number, also in constant expressions, which are not
-/// recorded. A Number converts to it, so that literals and constants of Number can be used with it;
+/// It has the interface and the results of Number. It also works in constant expressions, which are
+/// not recorded. A Number converts to it, so literals and constants of Number can be used with it;
 /// plain() converts back. Copies, comparisons and conversions to other types make no number and are
 /// not recorded.
 template <class Number>
@@ -45,7 +45,7 @@ class recorded_number {
   /// \name As in Number
   /// \{
 
-  /// What Number has under these names.
+  /// The members of Number with these names.
   using raw_type = typename Number::raw_type;
   static constexpr int fraction_bits = Number::fraction_bits;
   static constexpr policy rules = Number::rules;
@@ -57,8 +57,8 @@ class recorded_number {
   /// The number type whose operations it records.
   using plain_type = Number;
 
-  /// A second operand, with the place of the operation: the compiler fills the default arguments in
-  /// where it converts the operand, an operator itself cannot have any.
+  /// An operand with the place of the operation. An operator cannot have default arguments, but the
+  /// conversion of its operand can, and the compiler evaluates them at the place of the operator.
   struct operand {
     Number value;
     record::place from;
@@ -69,7 +69,7 @@ class recorded_number {
     constexpr operand(Number x, record::place at = FIXPROOF_HERE) noexcept : value(x), from(at) {}
     // NOLINTEND(google-explicit-constructor)
   };
-  /// The left side of a compound assignment, likewise.
+  /// The left side of a compound assignment, with its place.
   struct target {
     recorded_number& value;
     record::place from;
@@ -81,7 +81,8 @@ class recorded_number {
 
   /// Zero.
   constexpr recorded_number() noexcept = default;
-  /// The same number, not recorded: the operation that made it was, or it is a constant.
+  /// The same number. This is not recorded: either the operation that made the number was, or it is
+  /// a constant.
   // NOLINTNEXTLINE(google-explicit-constructor): so that literals remain usable
   constexpr recorded_number(Number x) noexcept : value_(x) {}
 
@@ -118,7 +119,7 @@ class recorded_number {
 
   /// The stored integer.
   [[nodiscard]] constexpr raw_type raw() const noexcept { return value_.raw(); }
-  /// The same number, whose operations are not recorded.
+  /// The plain number, whose operations are not recorded.
   [[nodiscard]] constexpr Number plain() const noexcept { return value_; }
   explicit constexpr operator Number() const noexcept { return value_; }
   template <std::floating_point Float>
@@ -143,7 +144,7 @@ class recorded_number {
 
   /// The number itself.
   [[nodiscard]] constexpr recorded_number operator+() const noexcept { return *this; }
-  /// As of Number, and recorded.
+  /// As the operators of Number, and recorded.
   [[nodiscard]] friend constexpr recorded_number operator-(operand a) noexcept(never_throws) {
     return record::detail::logged<record::kind::negate, Number>(
         a.from, [](Number x) { return -x; }, a.value);
@@ -209,7 +210,8 @@ class recorded_number {
 #undef FIXPROOF_RECORDED_SHIFT
 #undef FIXPROOF_RECORDED_STEP
 
-  /// As of Number: a sum and a product do not depend on the order, a difference does.
+  /// As the operators of Number. A sum or product with the integer first is recorded as one with
+  /// the number first.
   template <detail::integer Int>
   [[nodiscard]] friend constexpr recorded_number operator+(Int a,
                                                            operand b) noexcept(never_throws) {
@@ -236,7 +238,7 @@ class recorded_number {
   }
 
  public:
-  /// The number; use plain(). It is public for the reason that number::raw_ is.
+  /// The plain number; use plain() instead. It is public for the same reason as number::raw_.
   Number value_{};
 };
 

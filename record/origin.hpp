@@ -1,5 +1,5 @@
 /// \file
-/// What made a log: lines `name: value` for its first page.
+/// The origin of a log: lines `name: value` for its first page.
 #pragma once
 
 #include <cfloat>
@@ -10,7 +10,8 @@
 
 namespace fixproof::record {
 
-/// The processor, the compiler, and what of its options changes floating point next to the type.
+/// Returns the program, the library, the compiler, the processor, and the compiler's options that
+/// affect the floating-point code around the type.
 inline std::string origin(std::string_view program) {
   std::string text = "program: ";
   for (const char c : program.substr(0, 200)) text += c < ' ' ? '?' : c;

@@ -14,11 +14,12 @@
 
 namespace fixproof::record {
 
-/// Appends pages to a file. After an error it writes nothing more, so a log never has a gap.
+/// Appends pages to a file. After an error it writes nothing more, so a log has no gaps.
 class page_file {
  public:
   explicit page_file(const char* path) noexcept : file_(std::fopen(path, "wb")) {
-    // A page is written when it is ready, so that a killed program leaves all of its pages.
+    // Without a buffer, every page is written at once, and a killed program leaves all of its
+    // pages.
     if (file_ != nullptr) std::setvbuf(file_, nullptr, _IONBF, 0);
   }
   ~page_file() {
@@ -29,10 +30,11 @@ class page_file {
   page_file& operator=(const page_file&) = delete;
   page_file& operator=(page_file&&) = delete;
 
-  /// Whether the file could be opened and every page could be written.
+  /// Tells whether the file was opened and every page was written.
   [[nodiscard]] bool good() const noexcept { return file_ != nullptr; }
 
-  /// Appends a page, whose second and eighth word this sets: the page's number and its checksum.
+  /// Appends a page. Sets its second word to the number of the page, and its eighth to the
+  /// checksum.
   void append(std::array<word, page_words>& page) noexcept {
     if (file_ == nullptr) return;
     page[1] = pages_++;
@@ -52,8 +54,8 @@ class page_file {
   word pages_ = 0;
 };
 
-/// Puts a text into the contents of a page, eight characters in a word, the first one lowest. What
-/// does not fit is cut off. \return the length
+/// Puts a text into the contents of a page, eight characters to a word, the first one lowest. Cuts
+/// off what does not fit. Returns the length.
 inline std::size_t put_text(std::array<word, page_words>& page, std::string_view text) noexcept {
   const std::size_t room = page_room * sizeof(word);
   const std::size_t length = text.size() < room ? text.size() : room;

@@ -1,5 +1,5 @@
 /// \file
-/// recorded<Number>: a number that writes down what is computed with it, to find the first
+/// recorded<Number>: a number that logs every operation, so that `fixproof desync` finds the first
 /// operation in which two runs differ. docs/recorder.md is the guide.
 ///
 ///     #include "record/recorded.hpp"
@@ -13,12 +13,13 @@
 ///
 /// Then `fixproof desync this-machine.log other-machine.log`.
 ///
-/// Recording is off unless FIXPROOF_RECORD is defined as 1: then recorded<Number> is Number itself,
-/// and the functions of fixproof::record do nothing. All sources of a program must agree on it.
+/// Recording is on if FIXPROOF_RECORD is defined as 1. Otherwise recorded<Number> is Number itself,
+/// and the functions of fixproof::record do nothing. All sources of a program must agree on the
+/// macro.
 ///
-/// A folder of its own rather than a header of fixed/: it writes files and has a state for each
-/// thread, and fixed/ has neither. Like fixed/ it needs C++20 and the standard library alone. It
-/// includes every function of fixed/, but not batch/ and not fixed/eigen.hpp.
+/// This is a folder of its own and not a header of fixed/, because it writes files and has state
+/// for each thread. Like fixed/, it needs only C++20 and the standard library. It covers every
+/// function of fixed/ except those of fixed/eigen.hpp, and not batch/.
 #pragma once
 
 #include "fixed/angle.hpp"
@@ -45,7 +46,7 @@
 namespace fixproof {
 
 #if FIXPROOF_RECORD
-/// The number type, recorded if FIXPROOF_RECORD is 1, and itself otherwise.
+/// The recorded number type if FIXPROOF_RECORD is 1, and Number itself otherwise.
 template <class Number>
 using recorded = recorded_number<Number>;
 #else

@@ -1,5 +1,5 @@
 /// \file
-/// The interface of record/log.hpp without a log: nothing is recorded, and nothing is left of it.
+/// The interface of record/log.hpp when recording is off. Compilers leave no code of it.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct position {
 class log {
  public:
   explicit constexpr log(std::string_view /*path*/, const options& /*how*/ = {}) noexcept {}
-  ~log() {}  // NOLINT(*-equals-default): so that a log that is only made is no unused variable
+  ~log() {}  // NOLINT(*-equals-default): a log is no unused variable
   log(const log&) = delete;
   log(log&&) = delete;
   log& operator=(const log&) = delete;

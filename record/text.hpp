@@ -1,5 +1,5 @@
 /// \file
-/// Recorded numbers in the standard library: text, formatters, limits, hash, common types.
+/// Recorded numbers in the standard library: text, formatters, limits, hashes and common types.
 #pragma once
 
 #include <charconv>
@@ -18,7 +18,7 @@
 namespace fixproof {
 
 /// \name Text
-/// As that of numbers. What is read is recorded, what is written is not.
+/// As that of plain numbers. Reading is recorded, and writing is not.
 /// \{
 template <class N>
 constexpr std::to_chars_result to_chars(char* first, char* last, recorded_number<N> x) noexcept {
@@ -52,7 +52,7 @@ std::basic_istream<char, Traits>& operator>>(std::basic_istream<char, Traits>& i
 }
 /// \}
 
-/// The bytes of a recorded number, as of a number.
+/// Returns the bytes of the plain number.
 template <std::endian Order, class N>
 [[nodiscard]] constexpr auto to_bytes(recorded_number<N> x) noexcept {
   return fixproof::to_bytes<Order>(x.value_);
@@ -60,14 +60,14 @@ template <std::endian Order, class N>
 
 }  // namespace fixproof
 
-/// The limits of the number, as recorded numbers.
+/// The limits of the plain number, as recorded numbers.
 template <class N>
 class std::numeric_limits<fixproof::recorded_number<N>> : public std::numeric_limits<N> {
   using plain = std::numeric_limits<N>;
   using recorded = fixproof::recorded_number<N>;
 
  public:
-  /// \name As those of the number
+  /// \name As those of the plain number
   /// \{
 
   /// Members as the standard names them.
@@ -83,16 +83,16 @@ class std::numeric_limits<fixproof::recorded_number<N>> : public std::numeric_li
   /// \}
 };
 
-/// The hash of the number.
+/// The hash of the plain number.
 template <class N>
 struct std::hash<fixproof::recorded_number<N>> {
-  /// That of the plain number.
+  /// Returns the hash of the plain number.
   std::size_t operator()(fixproof::recorded_number<N> x) const noexcept {
     return std::hash<N>{}(x.plain());
   }
 };
 
-/// The common type with an integer, as of the number.
+/// The common type with an integer, as for the plain number.
 template <class N, fixproof::detail::integer Int>
 struct std::common_type<fixproof::recorded_number<N>, Int> {
   /// The recorded number.

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """usage: build_page.py MODULE.wasm PAGE.html
 
-Writes the playground: page/page.html with the style, the scripts, the library and the module inside. The scripts of page/
-are ES modules; here they become one, in the order of ORDER, because a page that is opened from a file cannot import.
-The policy of the page allows this script and this style only, by SHA-256. Status 1 if a file is not what it should be.
+Writes the playground: page/page.html with the style, the scripts, the library and the module in it. The scripts of
+page/ are ES modules. They become one script, in the order of ORDER, because a page that is opened from a file cannot
+import. The policy of the page allows only this script and this style, by SHA-256. Status 1 if a file is not what it
+should be.
 """
 import base64
 import gzip
@@ -13,14 +14,14 @@ import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-# A script comes after those that it imports.
+# A script comes after the scripts that it imports.
 ORDER = ("wasm", "state", "parts", "number", "operation", "trace", "scenes", "cases", "main")
 IMPORT = re.compile(r'^import (\{.*\}) from "(?:\./|\.\./vendor/)([\w-]+)\.m?js";$', re.M)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const) (\w+))", re.M)
 
 
 def as_object(name, body, exports):
-    """A module as an object of what it exports, so that its other names stay its own."""
+    """Returns a module as an object of its exports, so that its other names stay private."""
     members = ", ".join(f"{key}: {value}" for key, value in exports.items())
     return f"const ${name.replace('-', '_')} = (() => {{{body}\nreturn {{{members}}};}})();\n"
 
@@ -29,7 +30,7 @@ def library():
     file = HERE / "vendor/lit-html.js"
     wanted = (HERE / "vendor/SHA512SUMS").read_text().split()[0]
     if hashlib.sha512(file.read_bytes()).hexdigest() != wanted:
-        sys.exit(f"{file}: not the file of vendor/SHA512SUMS; take it from the npm package again")
+        sys.exit(f"{file}: its digest is not that in vendor/SHA512SUMS; take the file from the npm package again")
     text = re.sub(r"\n//# sourceMappingURL=.*", "", file.read_text())
     body, exports = re.fullmatch(r"(.*)export\{([^}]*)\};?\s*", text, re.S).groups()
     return as_object("lit-html", body, dict(reversed(pair.split(" as ")) for pair in exports.split(",")))
@@ -42,18 +43,18 @@ def scripts():
         source = (HERE / f"page/{name}.mjs").read_text()
         for _, imported in IMPORT.findall(source):
             if imported not in seen:
-                sys.exit(f"page/{name}.mjs imports {imported}, which ORDER in {__file__} has later or not at all")
+                sys.exit(f"page/{name}.mjs imports {imported}, which must come before it in ORDER of {__file__}")
         body = IMPORT.sub(lambda found: f"const {found[1]} = ${found[2].replace('-', '_')};", source)
         exports = {export: export for export in EXPORT.findall(body)}
         body = EXPORT.sub("", body)
         if re.search(r"^(import|export)\b", body, re.M):
-            sys.exit(f"page/{name}.mjs: an import or export that is not one line of the form of the others")
-        # The last one starts the page, and may wait for the module.
+            sys.exit(f"page/{name}.mjs: an import or export has another form than the others; write it on one line")
+        # The last script starts the page. It is not in a function, because it waits for the module.
         text += body if name == ORDER[-1] else as_object(name, f"\n{body}", exports)
         seen.add(name)
     extra = {file.stem for file in (HERE / "page").glob("*.mjs")} - set(ORDER)
     if extra:
-        sys.exit(f"page/: {', '.join(sorted(extra))} missing in ORDER in {__file__}")
+        sys.exit(f"page/: add {', '.join(sorted(extra))} to ORDER in {__file__}")
     return text
 
 
@@ -73,7 +74,7 @@ def main():
     for place, text in (("policy", policy), ("style", style), ("module", packed), ("script", script),
                         ("library-licence", licences[0]), ("own-licence", licences[1])):
         if page.count(f"<!--{place}-->") != 1:
-            sys.exit(f"page/page.html: not one place for {place}")
+            sys.exit(f"page/page.html: there must be exactly one <!--{place}-->")
         page = page.replace(f"<!--{place}-->", text)
     out.write_text(page)
     print(f"{out}: {out.stat().st_size:,} bytes")

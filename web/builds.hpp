@@ -1,5 +1,5 @@
 /// @file
-/// The builds of FIXED.ASM, answered by three parties that share no code.
+/// The results of the builds of FIXED.ASM, from three parties that share no code.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ namespace fixproof::web {
 
 struct BuildAnswer {
   std::string name;
-  std::string link;                   ///< the build's name in requests for a trace
-  std::optional<std::uint64_t> word;  ///< of the model; empty for a divide error
-  bool agrees = false;                ///< whether the type and the oracle give the same
+  std::string link;                   ///< its name in requests for a trace; empty in 8.8
+  std::optional<std::uint64_t> word;  ///< the model's; none for a divide error
+  bool agrees = false;                ///< whether the type and the oracle give the same word
 };
 
-/// Multiplies or divides by every build: the model's, which runs the listing. Empty for other
-/// operations and for formats that FIXED.ASM does not have.
+/// Multiplies or divides with every build. The words are those of the model, which runs the
+/// listing. Returns nothing for other operations, and for formats that FIXED.ASM does not have.
 std::vector<BuildAnswer> answers_of_builds(Operation operation, const cases::Format& format,
                                            std::uint32_t a, std::uint32_t b);
 

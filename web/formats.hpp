@@ -1,5 +1,5 @@
 /// @file
-/// The type in every format that fixed/formats.hpp names, as functions of words.
+/// The type in every format that fixed/formats.hpp names, as functions on words.
 #pragma once
 
 #include <array>
@@ -14,22 +14,22 @@
 
 namespace fixproof::web {
 
-/// Operations in the order of their numbers in requests.
+/// The operations, in the order of `operation_names`.
 enum class Operation : std::uint8_t { add, sub, mul, div, sqrt };
 inline constexpr std::array<std::string_view, 5> operation_names{"add", "sub", "mul", "div",
                                                                  "sqrt"};
 std::optional<Operation> operation_named(std::string_view name);
 
-/// Rules of rounding, the type's own first.
+/// The rounding rules, with the type's default first.
 inline constexpr std::array rules{rounding::half_up, rounding::half_away, rounding::half_even,
                                   rounding::floor, rounding::truncate};
 inline constexpr std::array<std::string_view, 5> rule_names{
     "half up", "half away from zero", "half to even", "down (floor)", "toward zero"};
 
-/// The number nearest to a decimal text.
+/// What a format reads from a decimal text.
 struct Reading {
   bool is_number = false;
-  std::optional<std::uint64_t> word{};  ///< empty if out of range
+  std::optional<std::uint64_t> word{};  ///< the nearest number; none if out of range
 };
 
 struct NumberFormat {
@@ -38,16 +38,16 @@ struct NumberFormat {
   cases::Format format{};
   Reading (*read)(std::string_view text) = nullptr;
   std::string (*write)(std::uint64_t word) = nullptr;
-  /// By each of `rules`, wrapped; empty for a zero divisor.
+  /// One for each of `rules`. Results wrap; a zero divisor gives none.
   std::array<Answer, rules.size()> answer{};
-  Answer saturated = nullptr;  ///< by the first rule
+  Answer saturated = nullptr;  ///< by the first rule, and saturating
 };
 
-/// All formats, narrow words first.
+/// Returns all formats, narrow words first.
 std::span<const NumberFormat> formats();
-/// Null for any name that is not one of formats().
+/// Returns the format with a name, or null if formats() does not have it.
 const NumberFormat* format_named(std::string_view name);
-/// `q16_16`.
+/// Returns the name of a format, such as `q16_16`.
 std::string format_name(const cases::Format& format);
 
 }  // namespace fixproof::web

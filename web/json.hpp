@@ -1,6 +1,6 @@
 /// @file
-/// Writes JSON text. The module needs a writer of a few hundred bytes; nlohmann/json would be half
-/// of its size.
+/// Writes JSON text. This writer takes a few hundred bytes of the module; nlohmann/json would take
+/// half of it.
 #pragma once
 
 #include <concepts>

@@ -1,4 +1,4 @@
-// The functions that the page calls. A request is text that the page writes into the buffer; an
+// The functions that the page calls. The page writes a request as text into the buffer, and the
 // answer is text, too.
 #include <algorithm>
 #include <array>
@@ -14,8 +14,7 @@
 #include "web/stage.hpp"
 #include "web/trace.hpp"
 
-// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): the page reads and writes this
-// memory
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): memory that the page uses
 namespace {
 
 std::array<char, std::size_t{1} << 20U> request_text;
@@ -35,10 +34,10 @@ std::size_t answered(std::string answer) {
 
 #define FIXPROOF_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
-/// Where the page writes requests, and how many bytes it may write.
+/// Where the page writes requests, and the size of that buffer in bytes.
 FIXPROOF_EXPORT(request_buffer) char* request_buffer() { return request_text.data(); }
 FIXPROOF_EXPORT(request_size) std::size_t request_size() { return request_text.size(); }
-/// Where the last answer is. Functions that answer return its length.
+/// Where the last answer is. The functions below that answer return its length.
 FIXPROOF_EXPORT(answer_buffer) const char* answer_buffer() { return answer_text.data(); }
 
 FIXPROOF_EXPORT(number) std::size_t number(std::size_t length) {
@@ -59,7 +58,7 @@ FIXPROOF_EXPORT(state) std::size_t state(std::size_t length) {
 }
 FIXPROOF_EXPORT(stages) std::size_t stages() { return answered(fixproof::web::stages()); }
 
-// A stage; stage_open() comes before the other functions of it.
+// The stage. Call stage_open() before the other functions.
 FIXPROOF_EXPORT(stage_open)
 void stage_open(std::size_t scene, std::size_t played, std::size_t compared) {
   stage = std::make_unique<fixproof::web::Stage>(scene, std::array{played, compared});
@@ -72,7 +71,7 @@ FIXPROOF_EXPORT(stage_seek) std::uint32_t stage_seek(std::uint32_t frame, std::u
   return stage->seek(frame, moves);
 }
 FIXPROOF_EXPORT(stage_draw) std::uint32_t stage_draw() { return stage->draw(); }
-/// The last drawing: 0 and 1 are the sides, 2 their differences.
+/// Returns the last drawing: 0 and 1 are the sides, 2 is their differences.
 FIXPROOF_EXPORT(stage_pixels) const std::uint8_t* stage_pixels(std::size_t which) {
   using fixproof::web::Stage;
   return (which == 2 ? stage->differences()

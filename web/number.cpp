@@ -10,10 +10,11 @@ namespace {
 
 using oracle::Integer;
 
-/// Errors are shown to this many digits, which is exact for a word in every format of 32 bits.
+/// The number of digits after the point in an error. It makes the error exact for every word of at
+/// most 32 bits.
 constexpr std::size_t error_digits = 40;
 
-/// The value of the word `by` units away; nothing beyond the ends of the range.
+/// Writes the value of `units`, or nothing if it is out of range.
 void write_neighbour(Json& json, std::string_view name, const Integer& units,
                      const NumberFormat& format) {
   const oracle::Format f = oracle_format(format.format);
@@ -28,7 +29,7 @@ void write_row(Json& json, const NumberFormat& format, const Operand& operand) {
   json.field("fraction", format.format.fraction_bits);
   json.field("signed", format.format.is_signed);
   json.field("range", range_of(format));
-  // The oracle rounds the exact number by itself.
+  // The oracle rounds the exact number without the type.
   const Integer expected =
       oracle::to_ulps(operand.exact, oracle::Rounding::half_up, f.fraction_bits);
   const Reading reading = format.read(operand.decimal);

@@ -7,8 +7,8 @@
 
 namespace fixproof::web {
 
-/// The number that a text says, in every format: its word, value, neighbours and error.
-/// @param request the format of words in the text, then the text, on two lines
+/// Returns a number in every format: its word, value, neighbours and error.
+/// @param request two lines: the format of a word after 0x or 0b, and the text of the number
 /// @return JSON; `error` says what is wrong with the request
 std::string number_view(std::string_view request);
 

@@ -7,7 +7,7 @@ namespace fixproof::web {
 
 namespace {
 
-/// The word after the prefix; empty if a digit is wrong or the word is too wide.
+/// Returns the word after the prefix, or nothing if a digit is wrong or the word is too wide.
 std::optional<std::uint64_t> word_after_prefix(std::string_view text, int bits) {
   const int base = text[1] == 'x' || text[1] == 'X' ? 16 : 2;
   std::string digits;

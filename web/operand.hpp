@@ -13,12 +13,12 @@
 namespace fixproof::web {
 
 struct Operand {
-  std::string error{};    ///< what is wrong with the text; empty if nothing is
-  oracle::Ratio exact{};  ///< the number that the text says
-  std::string decimal{};  ///< the same, as the type's reader takes it
+  std::string error{};    ///< what is wrong with the text; empty if it is right
+  oracle::Ratio exact{};  ///< the exact number
+  std::string decimal{};  ///< the same as decimal text, which the type can read
 };
 
-/// Longer texts are refused.
+/// The length of the longest text that is accepted.
 inline constexpr std::size_t longest_operand = 100;
 
 /// Reads decimal text, or a word of the format after `0x` or `0b`.
@@ -26,7 +26,7 @@ Operand operand_of(std::string_view text, const NumberFormat& format);
 
 oracle::Format oracle_format(const cases::Format& format);
 
-/// The range of a format: `-32768 to 32767.9999847412109375`.
+/// Returns the range of a format, such as `-32768 to 32767.9999847412109375`.
 std::string range_of(const NumberFormat& format);
 
 }  // namespace fixproof::web

@@ -20,8 +20,8 @@ constexpr std::array oracle_rules{oracle::Rounding::half_up, oracle::Rounding::h
                                   oracle::Rounding::half_even, oracle::Rounding::floor,
                                   oracle::Rounding::truncate};
 
-/// The exact result in units, as a fraction; empty for a zero divisor and for a root, which is
-/// irrational.
+/// Returns the exact result in units, as a fraction. Returns nothing for a zero divisor, and for a
+/// root, which may be irrational.
 std::optional<oracle::Ratio> exact_units(Operation operation, const Integer& a, const Integer& b,
                                          int fraction_bits) {
   const Integer one = Integer(1) << fraction_bits;
@@ -41,7 +41,7 @@ std::optional<oracle::Ratio> exact_units(Operation operation, const Integer& a, 
   return std::nullopt;
 }
 
-/// The exact result, rounded by a rule, in units.
+/// Returns the exact result in units, rounded by a rule, or nothing for a zero divisor.
 std::optional<Integer> rounded_units(Operation operation, std::uint64_t a, std::uint64_t b,
                                      oracle::Rounding rule, const oracle::Format& f) {
   if (operation == Operation::sqrt) {
@@ -54,13 +54,13 @@ std::optional<Integer> rounded_units(Operation operation, std::uint64_t a, std::
   return oracle::rounded(exact->numerator, exact->denominator, rule);
 }
 
-/// Whether the word is what the oracle expects of the type.
+/// Tells whether the word is what the oracle expects.
 bool agrees(const std::optional<std::uint64_t>& word, const std::optional<Integer>& expected,
             const oracle::Format& f) {
   return word.has_value() == expected.has_value() && (!word || *word == oracle::wrap(*expected, f));
 }
 
-/// A word, its value, and how far it is from the exact result.
+/// Writes a word, its value, and its distance from the exact result.
 void write_word(Json& json, std::uint64_t word, const std::optional<oracle::Ratio>& exact,
                 const NumberFormat& format) {
   const oracle::Format f = oracle_format(format.format);

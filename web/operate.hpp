@@ -1,5 +1,6 @@
 /// @file
-/// Two numbers and an operation: the exact result, and where each rule and each build lands.
+/// Two numbers and an operation: the exact result, and the word that each rule and each build
+/// gives.
 #pragma once
 
 #include <string>
@@ -7,15 +8,15 @@
 
 namespace fixproof::web {
 
-/// @param request operation, format, first and second number, on four lines; the second is ignored
-/// by sqrt
+/// @param request four lines: operation, format, first and second number; sqrt ignores the second
+/// number
 /// @return JSON; `error` says what is wrong with the request
 std::string operation_view(std::string_view request);
 
-/// Answers cases by the type's own rules.
-/// @param request operation and format on a line, then one case per line: words as hexadecimal
-/// digits
-/// @return one word per line, `DE` for a zero divisor; empty for a malformed request
+/// Computes cases by the type's default rules.
+/// @param request a line with operation and format, then one case per line, with its words in
+/// hexadecimal
+/// @return one word per line, or `DE` for a zero divisor; nothing for a malformed request
 std::string answers(std::string_view request);
 
 }  // namespace fixproof::web

@@ -18,7 +18,7 @@ namespace fixproof::web {
 
 /// The machine after an instruction.
 struct Snapshot {
-  std::size_t position = 0;  ///< of the instruction; of none in the first snapshot
+  std::size_t position = 0;  ///< of the instruction; 0 in the first snapshot, which has none
   std::array<std::uint32_t, x86model::register_count> registers{};
   x86model::Flags flags{};
   std::vector<std::uint16_t> memory{};  ///< words from address 0
@@ -29,21 +29,22 @@ struct Run {
   std::string name;
   x86model::Target target{};
   x86model::Program program{};
-  std::vector<Snapshot> snapshots{};  ///< the first is on entry
+  std::vector<Snapshot> snapshots{};  ///< the first is the state on entry
   x86model::Ending ending{};
   std::vector<std::uint32_t> result{};  ///< empty unless the routine returned
 };
 
-/// The builds of a routine: `i386-on`, `i386-off`, `i8088-on`, `i8088-off`, and where they exist
-/// `i386-52`, `i8088-on-repaired` and `i8088-off-scanned`.
+/// Returns the builds of a routine: `i386-on`, `i386-off`, `i8088-on`, `i8088-off`, and `i386-52`,
+/// `i8088-on-repaired` and `i8088-off-scanned` where they exist. Those of cossin are `i386` and
+/// `i8088`.
 std::vector<std::string> builds_of(x86model::Routine routine);
 
-/// Runs one of builds_of(routine).
+/// Runs one of builds_of(routine) and records every state.
 /// @param in as many words as the routine takes
 Run record(x86model::Routine routine, std::string_view build, std::span<const std::uint32_t> in);
 
-/// The first number of instructions after which the runs differ, in the last instruction or in what
-/// the machine holds; 0 if they do not differ.
+/// Returns the number of instructions after which the runs first differ, in the last instruction or
+/// in the state of the machine. Returns 0 if they do not differ.
 std::size_t first_difference(const Run& a, const Run& b);
 
 }  // namespace fixproof::web

@@ -1,5 +1,5 @@
 /// @file
-/// The scenes of the page. write_scenes.py writes their source from scenes/ during the build.
+/// The scenes of the page. During the build, write_scenes.py generates their source from scenes/.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@ namespace fixproof::web {
 
 inline constexpr std::size_t scene_count = 7;
 
-/// The files of scenes/, without their ending.
+/// The names of the files in scenes/, without the extension.
 extern const std::array<std::string_view, scene_count> scene_names;
 
-/// The first scene for an index beyond the last.
+/// Returns a scene, or the first one if the index is beyond the last.
 xsharp::Scene scene_at(std::size_t index);
 
 }  // namespace fixproof::web

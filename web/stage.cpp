@@ -18,7 +18,7 @@ void switch_numbers(std::size_t arithmetic) {
   if (arithmetic < exact) switch_to(static_cast<Arithmetic>(arithmetic));
 }
 
-/// Writes the colours of a page.
+/// Writes the colours of a picture of palette indices.
 void paint(const xsharp::Palette& palette, std::span<const std::uint8_t> indices,
            std::vector<std::uint8_t>& pixels) {
   pixels.resize(4 * indices.size());

@@ -1,6 +1,6 @@
 /// @file
-/// A scene that plays twice: in one arithmetic, which can be switched while it runs, and in another
-/// to compare with.
+/// A scene that plays in two arithmetics: one that can be switched while the scene runs, and one to
+/// compare with.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace fixproof::web {
 
-/// The scenes and the arithmetics, the exact one (double) last.
+/// Returns the scenes and the arithmetics, with the exact one (double) last.
 /// @return JSON
 std::string stages();
 
@@ -28,29 +28,31 @@ class Stage {
   enum Side : std::uint8_t { played, compared };
 
   /// Plays the scene from its first frame in both arithmetics.
-  /// @param scene of scene_names; @param arithmetics of stages(), of each side
+  /// @param scene       an index of scene_names
+  /// @param arithmetics an index of the arithmetics of stages() for each side
   Stage(std::size_t scene, std::array<std::size_t, 2> arithmetics);
 
-  /// Switches the side's arithmetic at the current frame: what it has moved stays moved. To or from
-  /// the exact arithmetic, which has other numbers, the side starts from its first frame.
+  /// Switches the arithmetic of a side at the current frame, and keeps the positions that the old
+  /// one computed. A switch to or from the exact arithmetic, which has other numbers, restarts the
+  /// side from its first frame.
   void switch_arithmetic(Side side, std::size_t arithmetic);
 
-  /// Moves both sides towards a frame by at most `moves` frames each. An earlier frame than the
-  /// current one starts from the first.
-  /// @return the frame that both have reached
+  /// Moves both sides towards a frame, by at most `moves` frames each. For an earlier frame, a side
+  /// restarts from its first frame.
+  /// @return the frame that both sides have reached
   std::uint32_t seek(std::uint32_t frame, std::uint32_t moves);
 
   /// Draws the current frame of both sides.
-  /// @return how many pixels differ
+  /// @return the number of pixels that differ
   std::uint32_t draw();
 
-  /// The last drawing as red, green, blue and opacity, row by row: of a side, or the differences,
-  /// white on black.
+  /// The last drawing as red, green, blue and opacity, row by row. pixels() is a side;
+  /// differences() is the differing pixels, white on black.
   [[nodiscard]] std::span<const std::uint8_t> pixels(Side side) const {
     return sides_.at(side).pixels;
   }
   [[nodiscard]] std::span<const std::uint8_t> differences() const { return differences_; }
-  /// The last drawing as palette indices.
+  /// The last drawing of a side as palette indices.
   [[nodiscard]] std::span<const std::uint8_t> indices(Side side) const {
     return sides_.at(side).screen->page().pixels();
   }

@@ -7,8 +7,7 @@ namespace fixproof::web {
 
 namespace {
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): numbers are plain values
-// without a place for it
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): numbers have no place for it
 Arithmetic current = Arithmetic::i386;
 
 }  // namespace

@@ -1,7 +1,7 @@
 /// @file
 /// A 16.16 number whose arithmetic can be switched while a scene runs.
 ///
-/// One instantiation of the pipeline serves every arithmetic, and the type computes every result.
+/// One instantiation of the pipeline serves every arithmetic. The type computes every result.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace fixproof::web {
 
-/// The arithmetics, in the order of their names.
+/// The arithmetics, in the order of `arithmetic_names`.
 enum class Arithmetic : std::uint8_t {
   i386,
   i386_mul,
@@ -42,7 +42,7 @@ inline constexpr std::array<std::string_view, 11> arithmetic_names{"386, rounded
                                                                    "q16_16",
                                                                    "q16_16, saturating"};
 
-/// The arithmetic of all switched numbers from now on.
+/// Sets the arithmetic of all switched numbers from now on.
 void switch_to(Arithmetic arithmetic);
 Arithmetic current_arithmetic();
 
@@ -135,7 +135,7 @@ struct Arithmetic<fixproof::web::SwitchedNumber> {
     return N::from_raw(raw_constant(value, conversion));
   }
   static std::optional<N> divide(N n, N d);
-  /// Follows the current arithmetic.
+  /// switch_to() sets it.
   static bool divides_by_whole_part;
   static Turn<N> turn(std::int32_t tenths);
   static N midpoint(N a, N b);

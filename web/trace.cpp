@@ -21,8 +21,8 @@ namespace x86 = x86model;
 constexpr std::array<std::string_view, x86::routine_count> routine_names{"mul", "div", "cossin",
                                                                          "xformvec", "concat"};
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): the page asks for one state
-// after the other
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): the page asks for state
+// after state
 std::vector<Run> runs;
 
 std::string_view text_of(x86::Outcome outcome) {
@@ -56,7 +56,7 @@ std::vector<std::string_view> parts_of(std::string_view text) {
   }
 }
 
-/// A count of tenths of a degree as a word of 16 bits.
+/// Returns a whole number of tenths of a degree as a word of 16 bits.
 std::optional<std::uint32_t> angle_of(std::string_view text) {
   int tenths = 0;
   const char* const end = text.data() + text.size();
@@ -65,8 +65,8 @@ std::optional<std::uint32_t> angle_of(std::string_view text) {
   return static_cast<std::uint32_t>(tenths) & 0xFFFFU;
 }
 
-/// The operands as words.
-/// @param error what is wrong with them; unchanged if nothing is
+/// Returns the operands as words.
+/// @param error receives what is wrong with them; unchanged if they are right
 std::vector<std::uint32_t> operands_of(x86::Routine routine, std::string_view text,
                                        std::string& error) {
   const auto parts = parts_of(text);

@@ -1,5 +1,6 @@
 /// @file
-/// Recorded runs of the routines of FIXED.ASM: every state, so that a person can step backward.
+/// Runs of the routines of FIXED.ASM, with every state recorded, so that a person can step
+/// backward.
 #pragma once
 
 #include <string>
@@ -7,20 +8,20 @@
 
 namespace fixproof::web {
 
-/// The routines and, for each, the names of its builds.
+/// Returns the routines and the names of their builds.
 /// @return JSON
 std::string routines();
 
 /// Records one or two builds of a routine on the same operands.
-/// @param request routine, first build, second build or `none`, operands; on four lines. Operands
-/// are as operand_of() takes them in 16.16, separated by spaces or commas; that of cossin is a
-/// count of tenths of a degree.
+/// @param request four lines: routine, first build, second build or `none`, and operands. The
+/// operands are what operand_of() reads in 16.16, separated by spaces or commas. The operand of
+/// cossin is a whole number of tenths of a degree.
 /// @return JSON: listings, results, and the first step at which the builds differ; `error` says
-/// what is wrong
+/// what is wrong with the request
 std::string trace(std::string_view request);
 
-/// The machine after a number of instructions of a recorded run.
-/// @param request the run, 0 or 1, and the number, on two lines; a number beyond the end is the end
+/// Returns the state of the machine after a number of instructions of a recorded run.
+/// @param request two lines: the run, 0 or 1, and the number; one beyond the end means the end
 /// @return JSON
 std::string state(std::string_view request);
 

@@ -1,7 +1,6 @@
 #include "web/words.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 namespace fixproof::web {
 
@@ -20,7 +19,7 @@ std::string decimal_text(const oracle::Integer& numerator, const oracle::Integer
   const auto digit_of = [](const oracle::Integer& value) {
     return static_cast<char>('0' + static_cast<int>(value));
   };
-  // Boost's own conversion takes half of the module, because it uses streams.
+  // Boost's own conversion uses streams, which would take half of the module.
   std::string text;
   oracle::Integer whole = rest / divisor;
   do {
@@ -48,19 +47,6 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     if (end == std::string_view::npos) return lines;
     text.remove_prefix(end + 1);
   }
-}
-
-std::vector<std::uint32_t> hex_words(std::string_view line) {
-  std::vector<std::uint32_t> words;
-  while (!line.empty()) {
-    const std::string_view text = line.substr(0, line.find(' '));
-    std::uint32_t word = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), word, 16);
-    if (error != std::errc() || end != text.data() + text.size()) return {};
-    words.push_back(word);
-    line.remove_prefix(text.size() < line.size() ? text.size() + 1 : text.size());
-  }
-  return words;
 }
 
 }  // namespace fixproof::web

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """usage: write_scenes.py SCENE.json... OUT.cpp
 
-Writes the scenes as C++, because a reader of JSON would double the size of the module. It knows the keys that these scenes
-have, and ends with status 1 at any other. The test web.frames compares frames with those of the command, which reads the
-JSON by itself.
+Writes the scenes as C++, because a reader of JSON would double the size of the module. It knows only the keys of
+these scenes, and ends with status 1 at any other key. The test web.frames compares the frames with those of the
+command, which reads the JSON itself.
 """
 import json
 import pathlib
@@ -20,7 +20,7 @@ def number(value):
 
 
 def word(kind):
-    """A word of JSON as a value of an enumeration."""
+    """Returns a writer of a JSON string as a value of an enumeration."""
     return lambda value: f"{kind}::{value.replace('-', '_')}"
 
 
@@ -31,7 +31,7 @@ def paint(value):
 
 
 def fields(kind, keys):
-    """An object of JSON as an initialiser in the order of the struct."""
+    """Returns a writer of a JSON object as an initialiser, in the order of the struct."""
     def write(value):
         unknown = set(value) - set(keys)
         if unknown:

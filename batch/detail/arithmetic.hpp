@@ -1,14 +1,14 @@
 /// \file
-/// The rules of fixed/policy.hpp on blocks of numbers; see batch/detail/lanes.hpp.
+/// The rules of fixed/policy.hpp, applied to blocks of numbers; see batch/detail/lanes.hpp.
 ///
-/// Each lane of `bad` is set to ones if its result is out of range and is unchanged otherwise. The
-/// bits of `errors` and `overflows` are assigned: one for each lane that has no result, or one out
-/// of range.
+/// A function sets a lane of `bad` to ones if its result is out of range, and leaves it unchanged
+/// otherwise. It assigns `errors` and `overflows`, which have a bit set for each lane that has no
+/// result or a result out of range.
 
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
 
-/// Adds detail::bias() to sums whose last F bits will be dropped.
+/// Adds detail::bias() to sums whose last F bits are dropped afterwards.
 template <rounding R, int F>
 FIXED_LANE_FUNCTION i64 biased(i64 sum) {
   constexpr std::int64_t unit = std::int64_t{1} << F;
@@ -28,7 +28,7 @@ FIXED_LANE_FUNCTION i64 biased(i64 sum) {
   }
 }
 
-/// The same in 32-bit lanes, and drops the bits.
+/// Does the same in 32-bit lanes, and drops the bits.
 template <rounding R, int F>
 FIXED_LANE_FUNCTION i32 rounded(i32 sum) {
   constexpr std::int32_t unit = 1 << F;
@@ -40,7 +40,7 @@ FIXED_LANE_FUNCTION i32 rounded(i32 sum) {
   return sum >> F;
 }
 
-/// `x` if `bad` is zero, else the end of the range of Raw with the sign of `sign`.
+/// Returns `x` where `bad` is zero, else the end of the range of Raw with the sign of `sign`.
 template <class Raw>
 FIXED_LANE_FUNCTION i32 saturated(i32 x, i32 bad, i32 sign) {
   const i32 end = (sign >> 31) ^ std::int32_t{(std::numeric_limits<Raw>::max)()};
@@ -60,7 +60,7 @@ FIXED_LANE_FUNCTION i32 narrowed(i32 sum, i32& bad) {
   }
 }
 
-/// Drops the last F bits of biased sums, in even and odd lanes, and wraps or saturates the rest to
+/// Drops the last F bits of biased sums in even and odd lanes, and wraps or saturates the rest to
 /// 32 bits.
 template <overflow O, int F>
 FIXED_LANE_FUNCTION i32 narrowed(i64 even, i64 odd, i32& bad) {
@@ -68,7 +68,7 @@ FIXED_LANE_FUNCTION i32 narrowed(i64 even, i64 odd, i32& bad) {
   if constexpr (O == overflow::wrap) {
     return low;
   } else {
-    // In range if the remaining upper bits all equal the sign. With F = 0 they are a word.
+    // A sum is in range if all remaining upper bits equal the sign. With F = 0 they are a word.
     const i32 high = interleaved(u64(even) >> 32, u64(odd));
     const i32 out = i32((high >> (F == 0 ? 0 : F - 1)) != (low >> 31));
     bad |= out;
@@ -91,7 +91,7 @@ FIXED_LANE_FUNCTION i32 product(i32 a, i32 b, i32& bad) {
   }
 }
 
-/// \pre F is at most the width of the stored integer - 2, so that the sums do not overflow
+/// \pre F is at most the width of the stored integer less 2, so that the sums do not overflow
 template <class N>
 FIXED_LANE_FUNCTION i32 product_and_sum(i32 a, i32 b, i32 c, i32& bad) {
   constexpr int F = N::fraction_bits;
@@ -109,11 +109,12 @@ FIXED_LANE_FUNCTION i32 product_and_sum(i32 a, i32 b, i32 c, i32& bad) {
 
 /// \name Results whose range is checked later, for several blocks at once
 ///
-/// Half the range is added to the rounded sums, so that those in range are not negative and leave
-/// the upper bits clear; then the sign of the result is flipped back. `sums` collects the bits.
+/// These functions add half the range to the rounded sums. A sum in range is then not negative, and
+/// its upper bits are clear. `sums` collects the bits of all sums. Flipping the sign bit of the
+/// result takes the half range away again.
 /// \{
 
-/// Wraps 32-bit sums in ulp to 16 bits. Only the lower halves of the results are valid.
+/// Wraps 32-bit sums in ulp to 16 bits. Only the lower halves of the lanes are valid.
 FIXED_LANE_FUNCTION i32 unchecked(i32 sum, u64& sums) {
   constexpr std::int32_t half_range = 1 << 15;
   sum += half_range;
@@ -121,7 +122,7 @@ FIXED_LANE_FUNCTION i32 unchecked(i32 sum, u64& sums) {
   return sum ^ half_range;
 }
 
-/// Drops the last F bits of biased sums, in even and odd lanes, and wraps the rest to 32 bits.
+/// Drops the last F bits of biased sums in even and odd lanes, and wraps the rest to 32 bits.
 template <int F>
 FIXED_LANE_FUNCTION i32 unchecked(i64 even, i64 odd, u64& sums) {
   constexpr std::uint64_t half_range = std::uint64_t{1} << (31 + F);
@@ -131,7 +132,7 @@ FIXED_LANE_FUNCTION i32 unchecked(i64 even, i64 odd, u64& sums) {
   return middle<F>(i64(even_sum), i64(odd_sum)) ^ (std::numeric_limits<std::int32_t>::min)();
 }
 
-/// Whether all results were in range.
+/// Tells whether all results were in range.
 template <class N>
 FIXED_LANE_FUNCTION bool in_range(u64 sums) {
   if constexpr (sizeof(N) == 2) {
@@ -182,7 +183,7 @@ FIXED_LANE_FUNCTION i32 added(i32 a, i32 b, i32& bad) {
     if constexpr (O == overflow::wrap) {
       return sum;
     } else {
-      // Out of range if the sign of the sum differs from the signs of both operands.
+      // A sum is out of range if its sign differs from the signs of both operands.
       const i32 out = ((a ^ sum) & (b ^ sum)) >> 31;
       bad |= out;
       return O == overflow::saturate ? saturated<std::int32_t>(sum, out, a) : sum;
@@ -190,7 +191,7 @@ FIXED_LANE_FUNCTION i32 added(i32 a, i32 b, i32& bad) {
   }
 }
 
-/// The part of a divisor that the policy uses, with 1 in place of 0.
+/// The part of a divisor that the policy uses, with 1 in place of 0, and the lanes with 0.
 struct divisor_lanes {
   std::uint32_t zeros;
   f64 value;
@@ -213,8 +214,8 @@ FIXED_LANE_FUNCTION f64 with_sign_of(f64 magnitude, f64 sign) {
   return f64(i64(magnitude) | (i64(sign) & (std::numeric_limits<std::int64_t>::min)()));
 }
 
-/// The vector form of detail::quotient_sum(), which has the proof; its floor or trunc is the
-/// rounded quotient.
+/// The vector form of detail::quotient_sum(), which has the proof. The floor or trunc of the sum is
+/// the rounded quotient.
 template <rounding R, int Shift>
 FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
   constexpr double scale = std::int64_t{1} << Shift;
@@ -228,8 +229,8 @@ FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
   }
 }
 
-/// Half a block of quotients under the policy. Sets a bit in `errors` for a divide error and in
-/// `overflows` for a result that is only out of range.
+/// Returns half a block of quotients under the policy. Sets a bit in `errors` for a divide error,
+/// and in `overflows` for a result that is only out of range.
 template <class N>
 FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::uint32_t& errors,
                                       std::uint32_t& overflows) {
@@ -245,13 +246,13 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
 
   errors = d.zeros;
   if constexpr (P.fault == divide_fault::unsigned_quotient) {
-    // |n| 2^shift / |d| >= 2^bits; both sides are exact.
+    // |n| 2^shift / |d| >= 2^bits. Both sides are exact.
     constexpr double units = std::int64_t{1} << (bits_of<raw> - shift);
     errors |= bits_at_least(magnitude_of(numerator), magnitude_of(d.value) * units);
   }
   overflows = 0;
   if constexpr (P.fault == divide_fault::signed_quotient || O != overflow::wrap) {
-    // Whether the floor or trunc of the sum will be above `high` or below `low`.
+    // Whether the floor or trunc of the sum is above `high` or below `low`.
     const std::uint32_t above = bits_at_least(sum, f64{} + (high + 1));
     const std::uint32_t below =
         by_floor ? bits_below(sum, f64{} + low) : bits_at_least(f64{} + (low - 1), sum);
@@ -271,24 +272,25 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
   return result;
 }
 
-/// The nearest square roots in ulp. A negative operand gives 0 and a bit in `errors`.
+/// Returns the nearest square roots in ulp. A negative operand gives 0 and a bit in `errors`.
 ///
-/// Takes the root of n = x 2^F < 2^47 in single precision, and corrects it by the remainder. Let R
-/// be the exact root, so R < 2^23.5, and r the integer that the hardware gives. Scaling by 2^F is
-/// exact. The float of x is off by a part e of itself at most, which counts half, and its root by e
-/// again: the float s of R is off by less than 1.5 R e, and a little for e^2. The nearest integer
-/// is within 1/2 of R, so r is off by d or less if |r - R| + 1/2 < d + 1.
+/// The code takes the root of n = x 2^F < 2^47 in single precision, and corrects it by the
+/// remainder. Let R be the exact root, so R < 2^23.5, let s be the root in single precision, and
+/// let r be s as an integer. Scaling by 2^F is exact. Converting x has a relative error of at most
+/// e, of which the root keeps half, and the root itself adds e. So s is off by less than 1.5 R e,
+/// apart from a little for e^2. The nearest integer is within 1/2 of R, so r is off from it by at
+/// most d if |r - R| + 1/2 < d + 1.
 ///
-/// AVX-512 rounds to nearest whatever the mode of the processor: e = 2^-24. If s >= 2^23 it is an
-/// integer, so |r - R| < 1.07; if s < 2^23, |r - R| < 0.76 + 1/4 while s >= 2^22, and less than
-/// 0.39
-/// + 1/2 below: r is off by 1. Elsewhere the mode decides: e = 2^-23, and s is truncated. Likewise
-/// |r - R| < 2.13, or < 1.51 + 1/2, or < 0.76 + 1: r is off by 2.
+/// AVX-512 rounds to nearest in every mode of the processor, so e = 2^-24. If s >= 2^23, s is an
+/// integer and |r - R| < 1.07. If 2^22 <= s < 2^23, |r - R| < 0.76 + 1/2. If s < 2^22,
+/// |r - R| < 0.39 + 1/2. So r is off by at most 1. Without AVX-512 the mode decides, so e = 2^-23,
+/// and s may be truncated. In the same three cases |r - R| is below 2.13, 1.51 + 1/2 and 0.76 + 1.
+/// So r is off by at most 2.
 ///
-/// The nearest integer is above r if n > (r + 1/2)^2 = r^2 + r + 1/4, that is if the rest n - r^2
-/// is more than r, and above r + 1 if the rest is more than 3 r + 2. It is below r and below r - 1
-/// if the rest is less than 1 - r and less than 3 - 3 r. The rest is below 2^27, so 32 bits hold
-/// it. Only for n = 0 this goes below the root, to less than 0; the last line restores it.
+/// The nearest integer is above r if n > (r + 1/2)^2 = r^2 + r + 1/4, that is, if the rest n - r^2
+/// is above r. It is above r + 1 if the rest is above 3 r + 2. It is below r if the rest is below
+/// 1 - r, and below r - 1 if the rest is below 3 - 3 r. The rest is below 2^27 in magnitude, so 32
+/// bits hold it. Only n = 0 gives a wrong result, which is negative. The last line makes it 0.
 template <int F>
 FIXED_LANE_FUNCTION i32 nearest_roots(i32 x, std::uint32_t& errors) {
   errors = bits(x);
@@ -296,7 +298,7 @@ FIXED_LANE_FUNCTION i32 nearest_roots(i32 x, std::uint32_t& errors) {
   x &= ~(x >> 31);
   const i32 r = integers(root(floats(x) * units));
   const i32 rest = i32(u32(x) << F) - i32(u32(r) * u32(r));
-  // The sign of a difference tells which is less.
+  // The sign of a difference tells which of two numbers is less.
   i32 nearest = r - ((r - rest) >> 31) + ((rest - 1 + r) >> 31);
   if constexpr (!has_nearest_floats) {
     const i32 three_r = r + r + r;
@@ -305,7 +307,8 @@ FIXED_LANE_FUNCTION i32 nearest_roots(i32 x, std::uint32_t& errors) {
   return nearest & ~(nearest >> 31);
 }
 
-/// Records the lanes set in `bad` whose bit is in `of`. Does nothing under overflow::wrap.
+/// Records an overflow for each lane that is set in `bad` and whose bit is set in `of`. Does
+/// nothing under overflow::wrap.
 template <overflow O>
 FIXED_LANE_FUNCTION void note_overflows(i32 bad, std::size_t index, fault_recorder& found,
                                         std::uint32_t of = ~0U) {

@@ -1,18 +1,18 @@
 /// \file
 /// Runs an operation over a span in blocks; see batch/detail/lanes.hpp.
 ///
-/// An operation of batch/detail/elements.hpp has
+/// An operation of batch/detail/elements.hpp or batch/detail/conversion_lanes.hpp has
 ///
 ///     static constexpr std::size_t size;        // elements of a block
-///     results at(std::size_t i, part) const;    // those from element i on
+///     results at(std::size_t i, part) const;    // of the elements from i on
 ///
 /// and its results have
 ///
 ///     void store(void* out, std::size_t i, part) const;
 ///     void note(std::size_t i, std::uint32_t of, fault_recorder& found) const;
 ///
-/// `of` has a bit for each element whose fault is recorded. An operation that can leave the check
-/// of its range to a whole group of blocks also has
+/// `of` has a bit set for each element whose fault is recorded. An operation whose range can be
+/// checked for a group of blocks at once also has
 ///
 ///     static constexpr bool checks_later = true;
 ///     i32 at(std::size_t i, u64& sums) const;   // see in_range()
@@ -28,7 +28,7 @@ FIXED_LANE_FUNCTION void one_block(const Operation& operation, std::size_t i, Pa
   results.note(i, part.bits, found);
 }
 
-/// Computes the elements below `end`, a multiple of the size.
+/// Computes the elements below `end`, a multiple of the block size.
 template <class Operation>
 FIXED_LANE_FUNCTION void whole_blocks(const Operation& operation, std::size_t end,
                                       fault_recorder& found) {
@@ -57,8 +57,9 @@ FIXED_LANE_FUNCTION void whole_blocks(const Operation& operation, std::size_t en
   for (; i != end; i += size) one_block(operation, i, whole_block{}, found);
 }
 
-/// Computes a span. \return the number of elements done: all, or none without has_masks if they do
-/// not fill a block
+/// Computes a span.
+/// \return the number of elements done: all of them, or none if they do not fill a block and there
+/// are no masks
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size_t count,
                                            fault_recorder& found) {
@@ -70,8 +71,8 @@ FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size
     return count;
   } else {
     if (count < size) return 0;
-    // The last block may overlap the one before, so it is computed first: an output may be an
-    // input.
+    // The last block may overlap the one before it, and an output may be an input. So the last
+    // block is computed first.
     const std::size_t last = count - size;
     const auto results = operation.at(last, whole_block{});
     const std::size_t end = (count - 1) / size * size;

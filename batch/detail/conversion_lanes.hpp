@@ -6,8 +6,8 @@ namespace fixproof::detail::FIXED_LANES {
 
 using half_f32 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = float;
 
-/// Half a block of floating-point numbers as doubles. If subnormals can change the result, they
-/// become normal; see detail::as_double().
+/// Loads half a block of floating-point numbers as doubles. If subnormals can change the result,
+/// makes them normal; see detail::as_double().
 template <class Float, rounding R, class Part>
 FIXED_LANE_FUNCTION f64 load_doubles(const void* base, std::size_t index, Part part) {
   if constexpr (sizeof(Float) == 4) {
@@ -30,7 +30,7 @@ FIXED_LANE_FUNCTION f64 load_doubles(const void* base, std::size_t index, Part p
   }
 }
 
-/// `twice` / 2 rounded by rule R, for |twice| < 2^51, in every rounding mode.
+/// Returns `twice` / 2 rounded by rule R, for |twice| < 2^51, in every rounding mode.
 template <rounding R>
 FIXED_LANE_FUNCTION half_i32 half_rounded(f64 twice) {
   if constexpr (R == rounding::half_up) {
@@ -40,13 +40,14 @@ FIXED_LANE_FUNCTION half_i32 half_rounded(f64 twice) {
   } else if constexpr (R == rounding::half_even) {
     const i64 floor = whole<true>(twice);
     const i64 up = i64(u64(floor + 1) >> 1);
-    // A tie if `twice` is an integer: the sum of its floor and that of its negative is zero.
+    // `twice` is an integer, and half of it may be a tie, if the floors of `twice` and of -`twice`
+    // add up to zero.
     const half_i32 halves = low_words(floor);
     const half_i32 nearest = low_words(up);
     const half_i32 exact = half_i32(halves + low_words(whole<true>(-twice)) == 0);
     return nearest - (nearest & halves & exact & 1);
   } else {
-    // A truncated negative number has its ceiling.
+    // Truncation takes the ceiling of a negative number.
     const half_i32 below = low_words(negative(i64(twice)));
     const half_i32 half = low_words(i64(u64(whole<false>(twice) + 1) >> 1));
     const half_i32 down = low_words(i64(u64(whole<false>(twice)) >> 1));
@@ -55,8 +56,8 @@ FIXED_LANE_FUNCTION half_i32 half_rounded(f64 twice) {
   }
 }
 
-/// Half a block of numbers from floating-point numbers. Lanes that may be out of range, or NaN, are
-/// computed one by one.
+/// Half a block of numbers from floating-point numbers. note() computes lanes that may be out of
+/// range, or NaN, one by one.
 template <class N, class Float>
 struct from_float_results {
   const void* from;
@@ -98,7 +99,7 @@ struct from_float_blocks {
   }
 };
 
-/// Results without faults.
+/// Results that have no faults.
 struct no_faults {
   FIXED_LANE_FUNCTION void note(std::size_t /*i*/, std::uint32_t /*of*/,
                                 fault_recorder& /*found*/) const {}
@@ -152,8 +153,8 @@ struct to_float_blocks {
   }
 };
 
-/// Whether floats() rounds to the nearest, ties to even: whether it does so above a tie to the even
-/// integer below and to the one above.
+/// Tells whether floats() rounds to nearest, ties to even. Tries one tie whose even neighbour is
+/// below and one whose even neighbour is above.
 FIXED_LANE_FUNCTION bool floats_are_nearest() {
   if constexpr (has_nearest_floats) return true;
   constexpr std::int32_t tie = (1 << 24) + 1;

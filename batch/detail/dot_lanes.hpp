@@ -4,11 +4,11 @@
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
 
-/// Sums of products in even and in odd lanes.
+/// Sums products. The member add() takes one block of factors, and add_to() returns the sums.
 template <class Sum>
 struct dot_sums;
 
-/// Modulo 2^64.
+/// Sums modulo 2^64, of the even and of the odd lanes.
 template <>
 struct dot_sums<std::uint64_t> {
   u64 even{};
@@ -24,8 +24,8 @@ struct dot_sums<std::uint64_t> {
   }
 };
 
-/// Exact. Adds 2^63 to make each product non-negative, and sums its two halves separately: at most
-/// 2^30 products.
+/// Exact sums of up to 2^30 products. Adds 2^63 to each product, so that it is not negative, and
+/// sums its two halves separately.
 template <>
 struct dot_sums<wide_sum> {
   u64 low{};

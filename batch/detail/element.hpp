@@ -28,7 +28,7 @@ enum class fault : std::uint8_t { none, divide_error, overflow, domain_error };
 template <class Raw>
 using raw_transform = std::array<std::array<Raw, 4>, 3>;
 
-/// A stored integer, or those of a vertex, and the fault.
+/// A stored integer, or the stored integers of a vertex, and the fault.
 template <class Raw>
 struct outcome {
   Raw raw;
@@ -84,8 +84,8 @@ constexpr outcome<Raw> divided(number<Raw, F, P> n, number<Raw, F, P> d) noexcep
   return result;
 }
 
-/// Whether divided() may report a fault under a policy that never throws: the divisor is zero or
-/// the result is an end of the range. Has no branch.
+/// Tells whether divided() may report a fault under a policy that never throws: if the divisor is
+/// zero, or if the policy saturates and the result is an end of the range. Has no branch.
 template <class Raw, int F, policy P>
 constexpr bool may_be_fault(number<Raw, F, P> d, Raw result) noexcept {
   using limits = std::numeric_limits<Raw>;
@@ -97,7 +97,7 @@ constexpr bool may_be_fault(number<Raw, F, P> d, Raw result) noexcept {
   return may;
 }
 
-/// A number from a floating-point number. Infinities wrap to the ends of the range.
+/// Converts a floating-point number to a number. Infinities wrap to the ends of the range.
 template <class N, binary_float Float>
 constexpr outcome_of<N> from_float(Float value) noexcept {
   using raw = typename N::raw_type;
@@ -113,8 +113,8 @@ constexpr outcome_of<N> from_float(Float value) noexcept {
           O == overflow::wrap ? fault::none : fault::overflow};
 }
 
-/// Computes the elements i + k for every bit k that is set in `missing`, and records the faults of
-/// those in `of`.
+/// Computes element i + k for every bit k that is set in `missing`. Records its fault if bit k is
+/// also set in `of`.
 template <class N, class Float, class Recorder>
 void missing_from_floats(const void* from, void* to, std::size_t i, std::uint32_t missing,
                          std::uint32_t of, Recorder& found) noexcept {
@@ -135,7 +135,7 @@ constexpr outcome_of<N> rooted(N x) noexcept {
   return narrowed_element<raw, range>(nearest_root<F>(x.raw()));
 }
 
-/// One row of a transform applied to a vertex: each product rounded, then summed from the left.
+/// Applies one row of a transform to a vertex. Rounds each product, then sums from the left.
 template <class N>
 constexpr outcome_of<N> transformed(const std::array<typename N::raw_type, 4>& row,
                                     const std::array<typename N::raw_type, 3>& v) noexcept {
@@ -154,7 +154,7 @@ constexpr outcome_of<N> transformed(const std::array<typename N::raw_type, 4>& r
   return sum;
 }
 
-/// coordinate / depth * constant.
+/// Returns coordinate / depth * constant.
 template <class N>
 constexpr outcome_of<N> projected(N coordinate, N depth, N constant) noexcept {
   const outcome_of<N> quotient = divided(coordinate, depth);
@@ -162,7 +162,7 @@ constexpr outcome_of<N> projected(N coordinate, N depth, N constant) noexcept {
   return {product.raw, first_of(quotient.what, product.what)};
 }
 
-/// A transformed vertex and the first fault of its coordinates.
+/// Returns a transformed vertex and the first fault of its coordinates.
 template <class N>
 constexpr outcome<std::array<typename N::raw_type, 3>> transformed_vertex(
     const raw_transform<typename N::raw_type>& by,
@@ -173,8 +173,8 @@ constexpr outcome<std::array<typename N::raw_type, 3>> transformed_vertex(
   return {{x.raw, y.raw, z.raw}, first_of(x.what, first_of(y.what, z.what))};
 }
 
-/// A projected point. A divide error in either coordinate takes precedence over an overflow in the
-/// other.
+/// Returns a projected point. A divide error in either coordinate takes precedence over an overflow
+/// in the other.
 template <class N>
 constexpr outcome<std::array<typename N::raw_type, 2>> projected_point(
     N constant, const std::array<typename N::raw_type, 3>& v) noexcept {

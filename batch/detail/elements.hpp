@@ -1,5 +1,5 @@
 /// \file
-/// The operations on single elements, for batch/detail/blocks.hpp.
+/// The operations that work element by element, for batch/detail/blocks.hpp.
 
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {

@@ -1,10 +1,11 @@
 /// \file
-/// Estimates of functions in double, each with a bound of its error; see batch/detail/lanes.hpp.
+/// Estimates of functions in double, each with an error bound; see batch/detail/lanes.hpp.
 ///
-/// If both ends of an estimate round to the same integer, that is the correctly rounded result, and
-/// the scalar function has the same bits. It computes all other lanes. So neither a rounding mode
-/// nor a fused operation can change a result: each bound is at least twice the error of the
-/// polynomial and of all roundings, in the least exact rounding mode.
+/// If both ends of the range of an estimate round to the same integer, that integer is the
+/// correctly rounded result, and the scalar function gives the same bits. The scalar function
+/// computes all other lanes. So neither a rounding mode nor a fused operation can change a result.
+/// Each bound is at least twice the error of the polynomial and of all roundings, in the least
+/// exact rounding mode.
 ///
 /// Operands are stored integers, and estimates are in ulps, for F fraction bits.
 
@@ -18,7 +19,7 @@ struct flat_estimate {
   std::uint32_t unknown = 0;
 };
 
-/// The same for an error of |ulps| * relative + error.
+/// The same, with an error of |ulps| * relative + error.
 struct growing_estimate {
   f64 ulps;
   f64 relative;
@@ -28,9 +29,8 @@ struct growing_estimate {
 
 // fused(a, b, c)      a * b + c, rounded once
 // nearest_whole(x)    the nearest integer, in every rounding mode
-// scaled(x, n)        x * 2^n for a whole n, if x and the result are from 2^-1000 to 2^1000;
-// beyond,
-//                     too, if scales_any
+// scaled(x, n)        x * 2^n for a whole n, if x and the result are from 2^-1000 to 2^1000, or in
+//                     any range if scales_any
 #if FIXED_LANE_BYTES == 64
 FIXED_LANE_FUNCTION f64 fused(f64 a, f64 b, f64 c) { return _mm512_fmadd_pd(a, b, c); }
 FIXED_LANE_FUNCTION f64 nearest_whole(f64 x) {
@@ -64,13 +64,13 @@ FIXED_LANE_FUNCTION f64 magnitude(f64 x) {
   return f64(i64(x) & all_but_sign);
 }
 
-/// x with the sign changed where `sign` is negative.
+/// Returns x, negated where `sign` is negative.
 FIXED_LANE_FUNCTION f64 signed_as(f64 x, f64 sign) {
   constexpr std::int64_t sign_bit = (std::numeric_limits<std::int64_t>::min)();
   return f64(i64(x) ^ (i64(sign) & sign_bit));
 }
 
-/// The sum of scale * terms[n] x^n. \param scale a power of two
+/// Returns the sum of scale * terms[n] x^n. \param scale a power of two
 template <std::size_t n = 0, std::size_t size>
 FIXED_LANE_FUNCTION f64 polynomial(const std::array<double, size>& terms, double scale, f64 x) {
   if constexpr (n + 1 == size) {
@@ -80,7 +80,8 @@ FIXED_LANE_FUNCTION f64 polynomial(const std::array<double, size>& terms, double
   }
 }
 
-/// The F of the precise polynomials, for relative errors: results may have 31 bits.
+/// Selects the precise polynomials, for estimates with a relative error, whose results may have 31
+/// bits.
 inline constexpr int precise = 32;
 
 /// A power of two as 2^whole * 2^rest, |rest| <= 1/2.
@@ -89,7 +90,8 @@ struct exponent_lanes {
   f64 rest;
 };
 
-/// x * `factor`, a logarithm to base 2 in two parts. Limits x to +-`limit`, unless scaled() does.
+/// Returns x * `factor`, where `factor` is a binary logarithm in two parts. Limits x to +-`limit`,
+/// unless scaled() takes any exponent.
 FIXED_LANE_FUNCTION exponent_lanes exponent_of(f64 x, const std::array<double, 2>& factor,
                                                double limit) {
   if (!scales_any) x = clamp(x, f64{} - limit, f64{} + limit);
@@ -97,13 +99,14 @@ FIXED_LANE_FUNCTION exponent_lanes exponent_of(f64 x, const std::array<double, 2
   return {whole, fused(x, f64{} + factor[0], x * factor[1] - whole)};
 }
 
-/// Beyond 40, every power is out of range or flat.
+/// Returns the exponent of 2 for e^x. Beyond 40, every power is out of range or rounds to a
+/// constant.
 template <int F>
 FIXED_LANE_FUNCTION exponent_lanes exponent_of_e(f64 x) {
   return exponent_of(x, {two_log2_e[0] / one_in<F>, two_log2_e[1] / one_in<F>}, 40 * one_in<F>);
 }
 
-/// scale * 2^exponent. The relative error is below 2^-44, or 2^-33 with F <= 16.
+/// Returns scale * 2^exponent. The relative error is below 2^-44, or below 2^-33 if F <= 16.
 /// \param scale a power of two
 template <int F>
 FIXED_LANE_FUNCTION f64 power_of_two(const exponent_lanes& exponent, double scale) {
@@ -114,10 +117,11 @@ FIXED_LANE_FUNCTION f64 power_of_two(const exponent_lanes& exponent, double scal
 template <int F>
 inline constexpr double power_error = by_precision<F>(0x1p-32, 0x1p-43);
 
-/// log2(x) for x > 2^-1000. The error is below 2^-44, or 2^-30 with F <= 16, and |log2(x)| 2^-51.
+/// Returns log2(x) for x > 2^-1000. The error is below 2^-44, or 2^-30 if F <= 16, plus
+/// |log2(x)| 2^-51.
 template <int F>
 FIXED_LANE_FUNCTION f64 binary_logarithm(f64 x) {
-  // The root of a half: a mantissa is from there to twice that.
+  // sqrt(1/2). A mantissa is from there to twice that.
   constexpr std::uint64_t lowest = 0x3fe6a09e667f3bcd;
   constexpr std::uint64_t one = 0x3ff0000000000000;
   constexpr std::uint64_t integer_bits = 0x4330000000000000;  // 2^52
@@ -131,7 +135,8 @@ FIXED_LANE_FUNCTION f64 binary_logarithm(f64 x) {
 template <int F>
 inline constexpr double logarithm_error = by_precision<F>(0x1p-29, 0x1p-43);
 
-/// scale * sin(pi t) for |t| <= 1/2. The error is below scale 2^-48, or 2^-33 with F <= 16.
+/// Returns scale * sin(pi t) for |t| <= 1/2. The error is below scale * 2^-48, or scale * 2^-33 if
+/// F <= 16.
 template <int F>
 FIXED_LANE_FUNCTION f64 sine_of_half_turns(f64 t, double scale) {
   return t * polynomial(by_precision<F>(few_sine_terms, many_sine_terms), scale, t * t);
@@ -139,11 +144,11 @@ FIXED_LANE_FUNCTION f64 sine_of_half_turns(f64 t, double scale) {
 template <int F>
 inline constexpr double sine_error = by_precision<F>(0x1p-32, 0x1p-46);
 
-/// The angle of the vector (d, n), 0 <= n, d, in ulps. The error is below 2^-44, or 2^-31 with
-/// F <= 16, in radians.
+/// Returns the angle of the vector (d, n) in ulps, for d, n >= 0. The error is below 2^-44 radians,
+/// or 2^-31 if F <= 16.
 ///
-/// The vector is mirrored at a diagonal if it is steep, and turned back by pi/4 if n / d is then
-/// above tan(pi/8).
+/// Mirrors a steep vector at the diagonal. Then turns the vector back by pi/4 if n / d is above
+/// tan(pi/8).
 template <int F>
 FIXED_LANE_FUNCTION f64 angle_of(f64 n, f64 d) {
   constexpr double eighth = 0x1.a827999fcef32p-2;  // tan(pi/8)
@@ -178,7 +183,7 @@ FIXED_LANE_FUNCTION growing_estimate estimated(of_expm1, f64 x) {
           f64{} + power_error<precise>, power_error<precise> * one_in<F>};
 }
 
-/// A logarithm of x / 2^F. \param base that of 2
+/// Returns a logarithm of x / 2^F. \param base the logarithm of 2 in its base
 template <int F>
 FIXED_LANE_FUNCTION flat_estimate logarithm(f64 x, double base) {
   return {(binary_logarithm<F>(x) - F) * (base * one_in<F>), logarithm_error<F> * one_in<F>,
@@ -223,7 +228,7 @@ FIXED_LANE_FUNCTION growing_estimate estimated(of_cosh, f64 x) {
   return {h.rising + h.falling, f64{} + power_error<precise>};
 }
 
-/// (t - 1) / (t + 1) for t = e^2x. Beyond 20, it is flat.
+/// Returns (t - 1) / (t + 1) for t = e^2x. Beyond 20, the result is constant.
 template <int F>
 FIXED_LANE_FUNCTION flat_estimate estimated(of_tanh, f64 x) {
   x = clamp(x * 2, f64{} - 40 * one_in<F>, f64{} + 40 * one_in<F>);
@@ -231,13 +236,14 @@ FIXED_LANE_FUNCTION flat_estimate estimated(of_tanh, f64 x) {
   return {(power - 1) * one_in<F> / (power + 1), power_error<F> * one_in<F>};
 }
 
-/// An angle in half turns: `whole` and t, |t| <= 1/2.
+/// An angle in half turns: `whole` + t, with |t| <= 1/2.
 struct angle_lanes {
   f64 whole;
   f64 t;
 };
 
-/// An angle after `ahead` half turns, for |x| < 2^33. The error of t is below 2^-52.
+/// Returns the angle of x, advanced by `ahead` half turns, for |x| < 2^33. The error of t is below
+/// 2^-52.
 template <int F, angle_unit Unit>
 FIXED_LANE_FUNCTION angle_lanes half_turns(f64 x, double ahead) {
   constexpr double high = half_turns_per<Unit>[0] / one_in<F>;
@@ -248,7 +254,7 @@ FIXED_LANE_FUNCTION angle_lanes half_turns(f64 x, double ahead) {
 
 template <int F>
 FIXED_LANE_FUNCTION flat_estimate sine(const angle_lanes& angle) {
-  // The last bit of an odd number of half turns becomes the sign.
+  // The last bit of the whole number, which is set if it is odd, becomes the sign.
   const f64 sign = f64(i64(angle.whole + 0x1.8p52) << 63);
   return {signed_as(sine_of_half_turns<F>(angle.t, one_in<F>), sign), sine_error<F> * one_in<F>};
 }
@@ -261,8 +267,8 @@ FIXED_LANE_FUNCTION flat_estimate estimated(of_cosine<Unit>, f64 x) {
   return sine<F>(half_turns<F, Unit>(x, 0.5));
 }
 
-/// A sine over a cosine. An error e of both makes less than e (1 + tangent)^2, which is less than
-/// 2 e + 2 e tangent^2.
+/// A sine divided by a cosine. An error e of both makes an error below e (1 + tangent)^2, which is
+/// at most 2 e + 2 e tangent^2.
 template <int F, angle_unit Unit>
 FIXED_LANE_FUNCTION growing_estimate estimated(of_tangent<Unit>, f64 x) {
   constexpr double error = 2 * sine_error<precise>;
@@ -285,7 +291,8 @@ FIXED_LANE_FUNCTION flat_estimate estimated(of_atan2, f64 y, f64 x) {
           bits_below(magnitude(x) + magnitude(y), f64{} + 1)};
 }
 
-/// The other side of a triangle with the longest side 2^F. Lanes beyond are unknown.
+/// Returns the other side of a right triangle whose longest side is 2^F. The result is meaningless
+/// for a longer x.
 template <int F>
 FIXED_LANE_FUNCTION f64 side_of(f64 x) {
   return root((one_in<F> - x) * (one_in<F> + x));
@@ -314,7 +321,7 @@ FIXED_LANE_FUNCTION growing_estimate estimated(of_cbrt, f64 x) {
   return {signed_as(power, x), f64{} + 2 * power_error<F>, 0, bits_below(size, f64{} + 1)};
 }
 
-/// Of a few roundings
+/// The relative error of a few roundings.
 inline constexpr double root_error = 0x1p-49;
 
 template <int F>
@@ -332,7 +339,8 @@ FIXED_LANE_FUNCTION growing_estimate estimated(of_hypot, f64 x, f64 y) {
   return {root(fused(x, x, y * y)), f64{} + root_error};
 }
 
-/// Only powers of positive numbers. An error e of the logarithm makes |y| e of the exponent.
+/// Estimates only powers of positive numbers. An error e of the logarithm makes an error |y| e of
+/// the exponent.
 template <int F>
 FIXED_LANE_FUNCTION growing_estimate estimated(of_pow, f64 x, f64 y) {
   y *= 1 / one_in<F>;
@@ -342,7 +350,8 @@ FIXED_LANE_FUNCTION growing_estimate estimated(of_pow, f64 x, f64 y) {
           (magnitude(y) + 1) * power_error<precise>, 0, bits_below(x, f64{} + 1)};
 }
 
-/// The lanes in which an estimate, at `distance` from the nearest integer, allows two integers.
+/// Returns the lanes in which an estimate, at `distance` from the nearest integer, allows two
+/// results.
 FIXED_LANE_FUNCTION std::uint32_t undecided(const flat_estimate& x, f64 /*ulps*/, f64 distance) {
   return bits_below(f64{} + (0.5 - x.error), distance);
 }
@@ -352,7 +361,7 @@ FIXED_LANE_FUNCTION std::uint32_t undecided(const growing_estimate& x, f64 ulps,
 
 /// The functions as a type, which on_function_path() passes to its callable.
 struct functions {
-  /// Rounds an estimate, and finds the lanes whose result it does not decide. Results out of range
+  /// Rounds an estimate, and finds the lanes that it does not decide. Results out of range
   /// saturate, or are unknown under overflow::trap.
   template <class N, class Function, class Estimate>
   FIXED_LANE_FUNCTION static half_i32 rounded(const Estimate& x, std::uint32_t& unknown) {
@@ -372,7 +381,7 @@ struct functions {
     return __builtin_convertvector(whole, half_i32);
   }
 
-  /// Computes out[i] = scalar(from[i]...) for whole registers.
+  /// Computes out[i] = scalar(from[i]...), as many as fill whole registers.
   /// \return the number of elements done
   template <class N, class Function, class Scalar, class... Operands>
   FIXED_LANE_TARGET static std::size_t each(N* out, std::size_t count, const Scalar& scalar,

@@ -36,7 +36,7 @@ inline constexpr std::array<double, 2> half_turns_per =
     : Unit == angle_unit::degree ? half_turns_per_degree
                                  : std::array<double, 2>{2, 0};
 
-// The functions, as tags. No result has a larger magnitude than the limit.
+// The functions as tags. No magnitude of a result is above the limit.
 struct unlimited {
   static constexpr double limit = 0x1p100;
 };
@@ -92,7 +92,7 @@ struct of_tangent : unlimited {};
 
 namespace fixproof::detail {
 
-/// As on_path(), for functions: they need exact doubles, and with AVX2 a fused multiply-add.
+/// As on_path(), for functions, which need exact doubles, and a fused multiply-add with AVX2.
 template <bool has, class Call>
 std::size_t on_function_path(batch::path which, const Call& call) {
   if constexpr (has && hardware_double) {

@@ -1,6 +1,6 @@
 /// \file
-/// What is part of its callers and what is not. A batch of few numbers takes about as long as its
-/// calls, and compilers do not know which of the loops runs.
+/// Attributes that say what compilers inline. A batch of few numbers takes about as long as its
+/// calls, and compilers do not know which loops run often.
 #pragma once
 
 #if defined(__GNUC__)

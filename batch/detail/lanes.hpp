@@ -6,9 +6,8 @@
 /// FIXED_LANE_TARGET the attribute that enables the instructions in a function. Every function here
 /// needs that attribute, so templates on the instruction set are not possible.
 ///
-/// A block is `width` elements: one register of 32-bit lanes, also for stored integers of 16 bits,
-/// which are widened on load. For 64-bit values, a register holds the even or the odd lanes, or
-/// half a block.
+/// A block is `width` elements in one register of 32-bit lanes. Loads widen stored integers of 16
+/// bits. A register of 64-bit values holds the even lanes, the odd lanes, or half a block.
 
 #if defined(FIXED_LANES)
 #define FIXED_LANE_FUNCTION FIXED_LANE_TARGET __attribute__((always_inline)) inline
@@ -37,9 +36,9 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 }
 
 // mul_even(a, b)        products of the lower halves, in 64-bit lanes, signed or unsigned by type
-// unknown(x)            x in a register, hidden from the optimiser. Clang otherwise proves that
-//                       operands have 32 bits, forgets it, and multiplies 64 bits in three
-//                       products; g++ loads a block once for each use
+// unknown(x)            x in a register, hidden from the optimiser. Otherwise clang loses track of
+//                       operands that have 32 bits, and multiplies 64 bits in three products;
+//                       g++ loads a block again for each use
 // negative(x)           all ones in the lanes below zero
 // blend<mask>(a, b)     lane i of b if bit i of mask is set, else of a
 // permute(x, from)      lane i is x[from[i]]
@@ -54,7 +53,7 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 // clamp(x, low, high)   x limited to [low, high]
 // root(x)               the square root, rounded once
 // floats(x)             converts to float
-// integers(x)           converts to integers: to the nearest, or truncates
+// integers(x)           converts to integers, to the nearest or truncated (has_nearest_floats)
 // has_nearest_floats    whether floats(), root() of floats and integers() round to nearest, ties to
 //                       even, in every rounding mode of the processor
 // whole<by_floor>(x)    floor(x) or trunc(x) for |x| < 2^51, modulo 2^32 in the lower halves, in
@@ -65,8 +64,8 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 
 #if FIXED_LANE_BYTES == 64
 
-// Uses the forms with a full mask: the others make g++ 12 warn of uninitialised values in its own
-// headers.
+// This uses the forms with a full mask, because the others make g++ 12 warn of uninitialised values
+// in its own headers.
 FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
   return i64(_mm512_maskz_mul_epi32(0xff, __m512i(a), __m512i(b)));
 }
@@ -142,7 +141,7 @@ FIXED_LANE_FUNCTION void store_past(void* to, i32 x) {
   _mm512_stream_si512(static_cast<__m512i*>(to), __m512i(x));
 }
 FIXED_LANE_FUNCTION void wait_for_stores() { _mm_sfence(); }
-// Without optimisation g++ 12 implements these as macros that warn about their mask.
+// Without optimisation, g++ 12 implements these as macros that warn about their mask.
 #if !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Woverflow"
@@ -239,7 +238,7 @@ template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
   constexpr int mode = by_floor ? _MM_FROUND_TO_NEG_INF : _MM_FROUND_TO_ZERO;
   const f64 integer = _mm256_round_pd(x, mode | _MM_FROUND_NO_EXC);
-  // Exact: the last bit of the sum has weight one, and the corresponding bits of the constant are
+  // The sum is exact: its last bit has weight one, and the corresponding bits of the constant are
   // zero.
   return i64(integer + 0x1.8p52);
 }
@@ -306,12 +305,12 @@ FIXED_LANE_FUNCTION i64 whole(f64 x) {
 
 #endif
 
-/// Even lanes from the first operand, odd lanes from the second.
+/// Takes even lanes from the first operand, odd lanes from the second.
 FIXED_LANE_FUNCTION i32 interleaved(u64 even, u64 odd) {
   return blend<0xaaaa>(i32(even), i32(odd));
 }
 
-/// Bits `low` to `low` + 31 of 64-bit lanes, in the even and in the odd lanes.
+/// Returns the bits `low` to `low` + 31 of the 64-bit lanes of `even` and `odd`, interleaved.
 template <int low>
 FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
 #if FIXED_LANE_BYTES == 64

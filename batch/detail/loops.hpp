@@ -2,11 +2,11 @@
 /// The loops of batch/batch.hpp and batch/radian.hpp over whole blocks; see
 /// batch/detail/lanes.hpp.
 ///
-/// Each returns the number of elements done and leaves the last few to the caller. Loops that need
-/// exact doubles do nothing if detail::hardware_double is false.
+/// Each loop returns the number of elements done, and leaves the rest to the caller. Loops that
+/// need exact doubles do nothing if detail::hardware_double is false.
 
 #if defined(FIXED_LANES)
-// Never part of their callers, which are small and therefore quick for short spans.
+// The loops are never inlined, so that their callers are small and therefore fast for short spans.
 #define FIXED_LANE_LOOP FIXED_LANE_TARGET __attribute__((noinline))
 
 namespace fixproof::detail::FIXED_LANES {
@@ -58,11 +58,11 @@ struct loops {
     }
   }
 
-  /// Adds the products to `sum`, modulo 2^64 or exactly. \pre exactly: count <= 2^30
+  /// Adds the products to `sum`, modulo 2^64 or exactly. \pre For exact sums: count <= 2^30
   template <class Raw, class Sum>
   FIXED_LANE_LOOP static std::size_t dot(const void* a, const void* b, std::size_t count,
                                          Sum& sum) {
-    // Two blocks at a time: four sums, so that none waits for itself.
+    // Two blocks at a time have four sums, so that no addition waits for the one before it.
     dot_sums<Sum> first;
     dot_sums<Sum> second;
     std::size_t i = 0;
@@ -153,7 +153,7 @@ struct loops {
     return i;
   }
 
-  /// As sines(), for cosines and sines.
+  /// The same for cosines and sines.
   template <class Raw, int F>
   FIXED_LANE_LOOP static std::size_t sines_and_cosines(const void* angles, void* cosines,
                                                        void* sines, std::size_t count) {

@@ -1,8 +1,8 @@
 /// \file
-/// Blocks in memory; see batch/detail/lanes.hpp.
+/// Loads and stores of blocks; see batch/detail/lanes.hpp.
 ///
-/// `base` points to the stored integer of element 0. AVX-512 also loads and stores the first
-/// elements of a block without access to the others (has_masks).
+/// `base` points to the stored integer of element 0. AVX-512 can also load and store the first
+/// elements of a block without touching the others (has_masks).
 
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
@@ -12,14 +12,14 @@ struct whole_block {
   static constexpr std::uint32_t bits = ~0U;
 };
 
-/// The first `count` elements of a block, one bit for each.
+/// The first `count` elements of a block, with a bit set for each.
 struct first_elements {
   std::uint32_t bits;
 
   explicit first_elements(std::size_t count) : bits((1U << count) - 1) {}
 };
 
-/// The same for half a block.
+/// Loads half a block.
 template <class Raw>
 FIXED_LANE_FUNCTION half_i32 load_half(const void* base, std::size_t index, whole_block = {}) {
   const auto* from = static_cast<const Raw*>(base) + index;
@@ -147,12 +147,12 @@ inline constexpr bool has_masks = false;
 
 #endif
 
-/// Whether results go to the caches or past them. Only 32-bit integers can bypass them.
+/// Whether results go to the caches or bypass them. Only 32-bit integers can bypass them.
 enum class stores : bool { cached, past_caches };
 template <class Raw>
 inline constexpr bool may_store_past = can_store_past && sizeof(Raw) == 4;
 
-/// \pre past the caches: may_store_past, and element `index` is aligned to the register size
+/// \pre To bypass the caches: may_store_past, and element `index` is aligned to the register size
 template <class Raw, stores how>
 FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
   if constexpr (how == stores::past_caches) {

@@ -1,5 +1,5 @@
 /// \file
-/// The scalar loops: all of the portable path and the end of every other path.
+/// The plain loops: the whole portable path, and the last elements of every other path.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace fixproof::detail {
 
-/// Computes elements `i` to `count` with the number type.
+/// Computes the elements from `i` up to `count`, excluded, with the number type.
 /// \param element (index) -> outcome
 /// \param store   (index, raw)
 template <class Element, class Store>
@@ -27,17 +27,17 @@ FIXED_ALWAYS_INLINE void few_elements(std::size_t i, std::size_t count, fault_re
   }
 }
 
-/// The same, but not part of its callers, so that they are small and therefore quick for few.
+/// The same, but never inlined, so that callers are small and therefore fast for few elements.
 template <class Element, class Store>
 FIXED_NOINLINE void each_element(std::size_t i, std::size_t count, fault_recorder& found,
                                  Element element, Store store) noexcept {
   few_elements(i, count, found, element, store);
 }
 
-/// Computes blocks of quotients for a policy that never throws, in a loop that compilers vectorise.
-/// Faults are rare and found separately. Results are buffered until all operands are read, because
-/// an output may be an input.
-/// \return the number of elements done; each_element() does the rest
+/// Computes blocks of quotients under a policy that never throws, in a loop that compilers
+/// vectorise. A second loop finds faults, which are rare. Results are buffered until all operands
+/// of a block are read, because an output may be an input.
+/// \return the number of elements done; each_element() computes the rest
 template <class N, class Element>
 FIXED_NOINLINE std::size_t divide_blocks(std::size_t i, const N* n, const N* d, N* to,
                                          std::size_t count, fault_recorder& found,

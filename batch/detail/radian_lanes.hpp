@@ -11,7 +11,7 @@ struct turn_lanes {
   u64 even, odd;
 };
 
-/// The turns of the angles in the lower halves, in units of 2^-16 radians.
+/// Returns the turns of the angles in the lower halves, which are in units of 2^-16 radians.
 FIXED_LANE_FUNCTION u64 turns_of_even(i64 angle, std::uint64_t ahead) {
   constexpr auto lower_word = static_cast<std::int64_t>(turns_per_unit & 0xffffffff);
   constexpr auto upper_word = static_cast<std::int64_t>(turns_per_unit >> 32);
@@ -37,14 +37,14 @@ FIXED_LANE_FUNCTION u64 fast_cosine_of(u64 d) {
   return c[0] - mul_even(z, factor);
 }
 
-/// The sines of a block; sets `doubtful` if one of them may be wrong.
+/// Returns the sines of a block. Sets `doubtful` if one of them may be wrong.
 template <int F>
 FIXED_LANE_FUNCTION i32 sines_of(const turn_lanes& turns, bool& doubtful) {
   using rounding = fast_rounding<F>;
   const i32 sign = interleaved(turns.even >> 32, turns.odd) >> 31;
   const u64 even = fast_cosine_of((turns.even - quarter_turn) >> 31) + rounding::bias;
   const u64 odd = fast_cosine_of((turns.odd - quarter_turn) >> 31) + rounding::bias;
-  // The bits of fast_rounding::doubtful, shifted into 32.
+  // The bits of fast_rounding::doubtful, shifted into the lower 32.
   constexpr int unneeded = 34;
   constexpr auto mask = static_cast<std::int32_t>(rounding::doubtful >> unneeded);
   doubtful |= zero_bits(interleaved(even >> unneeded, odd >> (unneeded - 32)) & mask) != 0;

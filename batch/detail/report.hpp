@@ -17,14 +17,14 @@
 
 namespace fixproof::batch {
 
-/// How many elements or vertices had which fault, and where the first was. An element counts once,
-/// for the first fault of its calculation.
+/// How many elements or vertices have which fault, and where the first one is. An element counts
+/// once, for the first fault of its calculation.
 struct report {
   /// The value of `first` if there is no fault.
   static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-  /// Quotients for which fixproof::try_divide returns nothing, except mere overflows: zero divisors
-  /// and other errors by policy::fault.
+  /// Quotients for which fixproof::try_divide returns nothing, except plain overflows: zero
+  /// divisors and other errors under policy::fault.
   std::size_t divide_errors = 0;
   /// Results out of range: saturated under overflow::saturate, wrapped under overflow::trap. Always
   /// 0 under overflow::wrap.
@@ -34,7 +34,7 @@ struct report {
   /// The index of the first element with a fault.
   std::size_t first = nowhere;
 
-  /// Whether there was no fault.
+  /// Whether there is no fault.
   [[nodiscard]] constexpr bool clean() const noexcept { return first == nowhere; }
   /// Whether all members are equal.
   friend constexpr bool operator==(const report&, const report&) = default;
@@ -54,11 +54,11 @@ inline std::string describe(const fault_count& x) {
   return "element " + std::to_string(x.first) + ", " + std::to_string(x.count) + " in all";
 }
 
-/// Collects the faults of one batch. Most batches have none, so it costs next to nothing until the
-/// first one.
+/// Collects the faults of one batch. Most batches have none, so a recorder costs next to nothing
+/// until the first fault.
 class fault_recorder {
  public:
-  /// \param marks one per element, or empty
+  /// \param marks one for each element, or none
   explicit fault_recorder(std::span<bool> marks) noexcept : marks_(marks) {
     if (!marks.empty()) std::fill(marks.begin(), marks.end(), false);
   }
@@ -67,8 +67,8 @@ class fault_recorder {
     if (what != fault::none) note_bits(what, 1, index);
   }
 
-  /// Records element index + k for every bit k that is set, from the lowest.
-  /// \param bits not zero
+  /// Records a fault of element index + k for every bit k that is set in `bits`.
+  /// \param bits must not be zero
   void note_bits(fault what, std::uint32_t bits, std::size_t index) noexcept {
     if (!any_) found_.fill({0, batch::report::nowhere});
     any_ = true;
@@ -81,8 +81,8 @@ class fault_recorder {
     }
   }
 
-  /// Returns the report. If there are no marks, throws the error of the first element for which an
-  /// operation with these rules throws.
+  /// Returns the report. Without marks, throws the error of the first element for which an
+  /// operation under these rules throws.
   /// \param operation the name in the text of the error
   template <overflow O, divide_fault Fault>
   [[nodiscard]] batch::report finish(const char* operation) const {

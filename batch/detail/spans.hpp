@@ -26,7 +26,7 @@ concept output_of = number_range<Range> && std::same_as<N, element_t<Range>> &&
 template <class Range, class N>
 concept input_of = number_range<Range> && std::same_as<N, element_t<Range>>;
 
-/// A type that can be built from two or three numbers N.
+/// A type that can be initialised from two or three numbers N.
 template <class T, class N, std::size_t size>
 concept made_of = (size == 2 &&
                    requires(N n) {
@@ -49,14 +49,14 @@ template <class Range, class N, std::size_t size>
 concept output_tuples_of = tuples_of<Range, N, size> &&
     !std::is_const_v<std::remove_reference_t<decltype(*std::data(std::declval<Range&>()))>>;
 
-/// The length of the shortest range. Sizes may be signed, as in Qt.
+/// Returns the length of the shortest range. Sizes may be signed, as in Qt.
 template <class... Ranges>
 constexpr std::size_t shortest(const Ranges&... ranges) noexcept {
   return (std::min)({static_cast<std::size_t>(std::size(ranges))...});
 }
 
-/// Loads the stored integers of an element of `size` numbers. Copies one by one, because with a
-/// memcpy of more than a register GCC 12 keeps the array in memory.
+/// Loads the stored integers of an element of `size` numbers. Copies them one by one, because GCC
+/// 12 keeps the array in memory after a memcpy of more than a register.
 template <class Raw, std::size_t size>
 std::array<Raw, size> load_tuple(const void* base, std::size_t index) noexcept {
   const auto* const from = static_cast<const char*>(base) + index * size * sizeof(Raw);

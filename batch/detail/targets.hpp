@@ -27,8 +27,8 @@ namespace fixproof::batch {
 
 /// How a batch is computed. All paths give the same results and reports.
 enum class path : std::uint8_t {
-  portable,  ///< a scalar loop over the number type, on any compiler and processor
-  neon,      ///< if compiled for little-endian AArch64
+  portable,  ///< a plain loop over the number type, with any compiler and processor
+  neon,      ///< programs compiled for little-endian AArch64
   avx2,      ///< x86-64 processors with AVX2
   avx512,    ///< x86-64 processors with AVX-512 F, BW, DQ and VL
 };
@@ -37,18 +37,18 @@ enum class path : std::uint8_t {
 
 namespace fixproof::detail {
 
-/// Whether vector registers multiply and add the numbers: stored integers of 16 or 32 bits with a
-/// sign.
+/// Whether vector registers multiply and add the numbers, which needs signed stored integers of 16
+/// or 32 bits.
 template <class N>
 inline constexpr bool has_lanes = std::is_signed_v<typename N::raw_type> &&
                                   (sizeof(N) == 2 || sizeof(N) == 4);
 
-/// The same for multiply-add, whose sums must fit twice the width.
+/// The same for multiply-add, whose sums must fit into twice the width.
 template <class N>
 inline constexpr bool has_mul_add_lanes =
     has_lanes<N>&& N::fraction_bits <= bits_of<typename N::raw_type> - 2;
 
-/// The same for quotients: their numerators must fit 48 bits.
+/// The same for quotients, whose numerators must fit into 48 bits.
 template <class N>
 inline constexpr bool has_quotient_lanes =
     has_lanes<N>&& has_fast_quotient<typename N::raw_type, N::fraction_bits, N::rules>;
@@ -66,8 +66,8 @@ inline constexpr overflow sums_and_products = N::rules.range == overflow::wrap
 
 }  // namespace fixproof::detail
 
-// Requires g++ 12 or clang: vector types, their conversions, and per-function targets. Other
-// compilers take the portable path.
+// The vector code needs g++ 12 or clang, for vector types, their conversions, and targets of single
+// functions. Other compilers take the portable path.
 #if defined(__GNUC__) && defined(__has_builtin)
 #if __has_builtin(__builtin_convertvector) && __has_builtin(__builtin_shufflevector)
 #if defined(__x86_64__)
@@ -129,7 +129,7 @@ inline bool has(path which) noexcept {
   return false;
 }
 
-/// The fastest path that this program can take.
+/// Returns the fastest path that this program can take.
 inline path best() noexcept {
   static const path found = has(path::avx512) ? path::avx512
                             : has(path::avx2) ? path::avx2
@@ -142,8 +142,8 @@ inline path best() noexcept {
 
 namespace fixproof::detail {
 
-/// Calls call(loops) with the loops of a path and returns its result. Returns 0, for no element
-/// done, on the portable path and on unavailable paths.
+/// Calls call(loops) with the loops of a path and returns its result. On the portable path and on
+/// unavailable paths, returns 0, because no element is done.
 /// \tparam has whether the loops cover the operation on the numbers
 template <bool has, class Call>
 FIXED_ALWAYS_INLINE std::size_t on_path(batch::path which, const Call& call) {

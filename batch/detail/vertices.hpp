@@ -11,7 +11,7 @@ struct block_of_vertices {
   i32 x, y, z;
 };
 
-/// The lanes, as bits, of register i of three that hold component c.
+/// The lanes that hold component c in register i of three, as bits.
 constexpr unsigned lanes_of(std::size_t c, std::size_t i) {
   unsigned lanes = 0;
   for (std::size_t lane = 0; lane < width; ++lane) {
@@ -20,8 +20,8 @@ constexpr unsigned lanes_of(std::size_t c, std::size_t i) {
   return lanes;
 }
 
-/// The lane that holds component c of vertex k, in any register. The width is not a multiple of
-/// three, so no two vertices share a lane.
+/// The lane that holds component c of vertex k, in whichever register. The width is not a multiple
+/// of three, so no two vertices share a lane.
 constexpr std::size_t lane_of(std::size_t c, std::size_t k) { return (3 * k + c) % width; }
 
 /// The permutations that move component c to the lane of its vertex, and back.
@@ -63,11 +63,11 @@ bool is_register_aligned(const void* base, std::size_t index) {
   return (reinterpret_cast<std::uintptr_t>(base) + index * sizeof(Raw)) % FIXED_LANE_BYTES == 0;
 }
 
-/// Prefetches the data read eight AVX-512 blocks later: in a stream of three registers per block,
-/// the hardware prefetcher does not look far enough ahead. An address beyond the end causes no
-/// access.
-/// \param index  of the next byte that is read
-/// \tparam block bytes read between two calls
+/// Prefetches the data that is read eight AVX-512 blocks later. In a stream of three registers per
+/// block, the hardware prefetcher does not look far enough ahead. An address beyond the end of an
+/// array causes no access.
+/// \param index  the next byte to read
+/// \tparam block the bytes read between two calls
 template <std::size_t block>
 FIXED_LANE_FUNCTION void prefetch(const void* base, std::size_t index) {
   constexpr std::uintptr_t distance = 1536;
@@ -200,7 +200,7 @@ struct vertex_columns {
 
 /// \}
 
-/// \param of the lanes whose overflows are recorded
+/// \param of has a bit set for each lane whose overflow is recorded
 template <class N, stores how, class Places>
 FIXED_LANE_FUNCTION void transform_block(const broadcast_transform& t, const Places& places,
                                          std::size_t i, std::uint32_t of, fault_recorder& found) {
@@ -209,9 +209,9 @@ FIXED_LANE_FUNCTION void transform_block(const broadcast_transform& t, const Pla
   note_overflows<sums_and_products<N>>(bad, i, found, of);
 }
 
-/// From this many bytes on, results bypass the caches. It is more than a core's share of the
-/// last-level cache, so the first results would be evicted before they are read. Bypassing keeps
-/// other data cached and avoids reading lines only to overwrite them.
+/// Results of at least this many bytes bypass the caches. They are more than a core's share of the
+/// last-level cache, so the first results would be evicted before anything reads them. Bypassing
+/// keeps other data cached, and saves reading cache lines only to overwrite them.
 inline constexpr std::size_t past_caches_from = std::size_t{8} << 20;
 
 /// Transforms all whole blocks. \return the number of vertices done
@@ -227,7 +227,7 @@ FIXED_LANE_TARGET std::size_t transform_blocks(const raw_transform<typename N::r
     while (first < width && !places.is_aligned(first)) ++first;
     const bool many = count >= past_caches_from / (3 * sizeof(N));
     if (many && first < width && !places.in_place()) {
-      // The first block overlaps the second; both compute the same values for the overlap.
+      // The first block overlaps the second. Both compute the same values there.
       transform_block<N, stores::cached>(t, places, 0, (1U << first) - 1, found);
       for (i = first; count - i >= width; i += width) {
         transform_block<N, stores::past_caches>(t, places, i, all, found);

@@ -1,12 +1,12 @@
-// Compiled with other options in the two builds: -ffast-math lets the compiler add in another
-// order.
+// The two builds compile this source with different options: -ffast-math lets the compiler change
+// the order of additions.
 #include <array>
 #include <cstdint>
 
 #include "examples/lockstep/world.hpp"
 
 double wind(std::int64_t frame) {
-  // Large terms that cancel, and small ones that remain.
+  // Large terms cancel, and small ones remain.
   std::array<double, 8> gusts{};
   for (std::size_t i = 0; i < gusts.size(); ++i) {
     const std::int64_t turn = (frame / 64 + static_cast<std::int64_t>(i) * 37) % 101 - 50;

@@ -1,5 +1,5 @@
-// A small world of balls in a box, as a game in lockstep computes it: every machine computes every
-// frame from the same inputs, and all must arrive at the same numbers.
+// A small world of balls in a box, as a game in lockstep would compute it. Every machine computes
+// every frame from the same inputs, and all must arrive at the same numbers.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@ struct World {
   std::array<Ball, 16> balls;
 };
 
-/// The wind of a frame, in double: the mistake that this example is about.
+/// Returns the wind of a frame, in double. This is the mistake of the example.
 double wind(std::int64_t frame);
 
-/// Balls in a grid, at rest.
+/// Returns balls in a grid, at rest.
 World new_world();
 
-/// One frame: wind, gravity, walls, and the balls among each other.
+/// Computes one frame: wind, gravity, walls, and collisions of the balls.
 void step(World& world, std::int64_t frame);
 
-/// A number for the whole state, as machines in lockstep exchange it.
+/// Returns a number for the whole state, such as machines in lockstep exchange.
 std::uint32_t checksum(const World& world);

@@ -1,9 +1,9 @@
 /// \file
-/// Converts doubles to stored integers of at most 32 bits with hardware doubles, in a form that
-/// compilers vectorise. Bit-identical to detail::scale() and detail::narrow().
+/// Converts floats and doubles to stored integers of at most 32 bits with hardware doubles, in code
+/// that compilers vectorise. Bit-identical to detail::scale() and detail::narrow().
 ///
-/// Constant expressions use it, too: with std::is_constant_evaluated() in the constructor, g++ 12
-/// would initialise global numbers when the program starts.
+/// Constant expressions use it, too. If the constructor had std::is_constant_evaluated(), g++ 12
+/// would initialise global numbers only when the program starts.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +19,19 @@
 
 namespace fixproof::detail {
 
-/// Whether converted() has the conversion.
+/// Whether converted() supports the conversion.
 template <class Raw, overflow O>
 inline constexpr bool has_fast_conversion = hardware_double&& bits_of<Raw> <= 32 &&
                                             (O == overflow::wrap || O == overflow::saturate);
 
-/// 2^exponent, for exponents of normal numbers.
+/// Returns 2^exponent, for exponents of normal numbers.
 constexpr double power_of_two(int exponent) noexcept {
   return bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-/// `yes` if the condition holds, else `no`. g++ vectorises masks and not conditions, but a single
-/// double that goes to integers and back takes longer than a branch. So it has masks only where it
-/// has the instructions to vectorise the rest.
+/// Returns `yes` if the condition holds, else `no`. g++ vectorises masks but not conditions. Masks
+/// move a single double to an integer register and back, which takes longer than a branch. So g++
+/// gets masks only if the processor has the instructions to vectorise the rest.
 template <class Word>
 constexpr Word select(bool condition, Word yes, Word no) noexcept {
 #if defined(__AVX2__) && !defined(__clang__)
@@ -47,8 +47,8 @@ constexpr Word select(bool condition, Word yes, Word no) noexcept {
 #endif
 }
 
-/// x as a double. If subnormals can change the result, which they do only under rounding::floor, a
-/// subnormal becomes normal by a bit of its exponent: processors may take subnormals for zero.
+/// Returns x as a double. Under rounding::floor, a subnormal x gets a bit of its exponent set and
+/// becomes normal, because processors may take subnormals for zero. Other rules round both to zero.
 template <rounding R, binary_float Float>
 constexpr double as_double(Float x) noexcept {
   if constexpr (R == rounding::floor) {
@@ -64,12 +64,12 @@ constexpr double as_double(Float x) noexcept {
   }
 }
 
-/// `twice` / 2 rounded by rule R, in the lower 32 bits, for |twice| < 2^51, in every rounding mode.
+/// Returns `twice` / 2 rounded by rule R, in the lower 32 bits, for |twice| < 2^51.
 ///
-/// Adding 1.5 * 2^52 gives a neighbouring integer of `twice`, which the mode chooses. The sign of
-/// the rest tells whether it is the lower one or the upper one: the rest is exact, or `twice` is so
-/// small that it rounds to the sign that it has.
-/// \param negative whether the number was negative before a multiple of 2^33 was taken from it
+/// Adding 1.5 * 2^52 rounds `twice` to one of its neighbouring integers, which the rounding mode
+/// chooses. The sign of the rest tells which neighbour it is. The rest is exact, or `twice` is so
+/// small that rounding keeps the sign of the rest. So every rounding mode gives the same result.
+/// \param negative whether the number was negative before a multiple of 2^36 was subtracted from it
 template <rounding R>
 constexpr std::uint64_t half_rounded(double twice, bool negative) noexcept {
   constexpr double ones = 0x1.8p52;
@@ -85,15 +85,15 @@ constexpr std::uint64_t half_rounded(double twice, bool negative) noexcept {
     const std::uint64_t up = (floor + 1) >> 1;
     return up - (up & floor & std::uint64_t{!(rest < 0 || rest > 0)});
   } else {
-    // A negative number is rounded as a positive one, with floor and ceiling exchanged.
+    // Rounds a negative number like a positive one, with floor and ceiling exchanged.
     const std::uint64_t ceiling = neighbour + std::uint64_t{rest > 0};
     constexpr std::uint64_t up = R == rounding::half_away ? 1 : 0;
     return select<std::uint64_t>(negative, ceiling + 1 - up, floor + up) >> 1;
   }
 }
 
-/// A float or double as a stored integer, rounded by rule R. See number's constructor for values
-/// out of range, infinities and NaN.
+/// Returns a float or double as a stored integer, rounded by rule R. See the constructor of number
+/// for values out of range, infinities and NaN.
 template <rounding R, overflow O, class Raw, int FractionBits, binary_float Float>
 constexpr Raw converted(Float value) noexcept {
   constexpr std::uint64_t infinity = 0x7ff0000000000000;
@@ -105,8 +105,8 @@ constexpr Raw converted(Float value) noexcept {
   const bool negative = bits >> 63 != 0;
   constexpr double twice_one = power_of_two(FractionBits + 1);
   if constexpr (O == overflow::saturate) {
-    // The ends of the range are integers, so limiting and rounding may change places.
-    // They are limited first, because a constant expression must not overflow.
+    // The ends of the range are integers, so a number may be limited before it is rounded.
+    // It is limited even before it is scaled, because a constant expression must not overflow.
     constexpr double least = 2 * lowest / twice_one;
     constexpr double most = 2 * highest / twice_one;
     const double number = select(magnitude > infinity, 0.0, x);
@@ -114,8 +114,8 @@ constexpr Raw converted(Float value) noexcept {
     return static_cast<Raw>(
         half_rounded<R>(select(limited > most, most, limited) * twice_one, negative));
   } else {
-    // From 2^85 ulp on, a double is a multiple of 2^32 ulp. From 2^50 ulp on, its double minus the
-    // multiple of 2^36 next to it is exact.
+    // From 2^85 ulp on, a number is a multiple of 2^32 ulp. From 2^50 ulp on, subtracting the
+    // multiple of 2^36 next to `twice` is exact.
     constexpr auto all_multiples = bit_cast<std::uint64_t>(power_of_two(85 - FractionBits));
     constexpr auto large = bit_cast<std::uint64_t>(power_of_two(50 - FractionBits));
     constexpr double multiples = 0x1.8p88;

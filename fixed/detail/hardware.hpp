@@ -6,10 +6,6 @@
 #include <cfloat>
 #include <limits>
 
-#if __STDC_HOSTED__
-#include <cmath>
-#endif
-
 namespace fixproof::detail {
 
 /// True if double is IEEE binary64 and the compiler evaluates it as written, without excess
@@ -44,13 +40,11 @@ constexpr bool divides_in_double = hardware_double;
 constexpr bool divides_in_double = hardware_double && sizeof(void*) < sizeof(double);
 #endif
 
-// Not called if hardware_double is false; freestanding libraries may lack them.
-#if __STDC_HOSTED__
-using std::copysign;
-using std::sqrt;
-#else
-double copysign(double magnitude, double sign) noexcept;
-double sqrt(double x) noexcept;
-#endif
+// The compiler's, because <cmath> takes a seventh of the time to compile fixed.hpp. Not called if
+// hardware_double is false.
+inline double copysign(double magnitude, double sign) noexcept {
+  return __builtin_copysign(magnitude, sign);
+}
+inline double sqrt(double x) noexcept { return __builtin_sqrt(x); }
 
 }  // namespace fixproof::detail

@@ -1,4 +1,4 @@
-// The process that a user's code runs in, tested by native code that means no good.
+// The process that runs a user's code, tested with hostile native code.
 #include "judge/confined.hpp"
 
 #include <fcntl.h>
@@ -56,7 +56,7 @@ TEST(Confined, HasLittleMemory) {
 
 TEST(Confined, HasLittleTime) {
   EXPECT_EQ(downfall_of([](std::string_view) {
-              // Volatile, or the compiler may take a loop without effects for one that ends.
+              // Volatile, because the compiler may assume that a loop without effects ends.
               for (volatile bool goes_on = true; goes_on;) {
               }
               return std::string();

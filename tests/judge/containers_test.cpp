@@ -15,7 +15,7 @@ std::string word(unsigned value) {
   return {static_cast<char>(value & 0xFFU), static_cast<char>(value >> 8U & 0xFFU)};
 }
 
-/// An .EXE of code, with relocations at these offsets and the stack in a segment behind it.
+/// Returns an .EXE of code with relocations at these offsets. The stack segment follows the code.
 std::string exe_of(const std::string& code, const std::vector<unsigned>& relocations) {
   const auto size = static_cast<unsigned>(64 + code.size());
   const auto paragraphs = static_cast<unsigned>((code.size() + 15) / 16);
@@ -48,7 +48,8 @@ TEST(Containers, AComProgram) {
 TEST(Containers, AnExeWithARelocation) {
   const ScratchFolder folder;
   std::string code = command::assemble("bits 16\n" + source_of("halves_from_data"));
-  code[2] = static_cast<char>(code.size() / 16 - 1);  // the segment of `half`, from the start
+  code[2] =
+      static_cast<char>(code.size() / 16 - 1);  // the segment of `half`, counted from the start
   expect(judge(folder.write("game.exe", exe_of(code, {2})),
                "--at|0:0|--frame|eax, ebx -> eax|--as|mul" + few),
          1, {"BROKEN: for 00000000 0003ffff"});  // a near call of a far routine
@@ -68,7 +69,8 @@ TEST(Containers, AnElfObject) {
   expect(judge(object, "--symbol|mul_cdecl|--as|mul" + few), 0,
          {"ELF object, routine at 1000h, 32-bit code", "must keep ebx, ebp, esi, edi"});
   const auto missing = judge(object, "--symbol|other|--as|mul");
-  command::expect_usage_error(missing, "--symbol 'other': there is none; choose one of mul_cdecl");
+  command::expect_usage_error(missing,
+                              "--symbol 'other': there is no such symbol; choose one of mul_cdecl");
 }
 
 TEST(Containers, WhatCannotBeReadIsSaid) {

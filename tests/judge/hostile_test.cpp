@@ -1,4 +1,4 @@
-// Code that means no good ends in a clear message and without effect.
+// Hostile code leads to a clear message and has no effect.
 #include "tests/judge/judged.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
@@ -37,7 +37,7 @@ TEST(Hostile, AFork) {
 }
 
 TEST(Hostile, ASystemCallOf64BitCode) {
-  // Opens a file by a far jump into 64-bit code: the kernel ends the process.
+  // Jumps far into 64-bit code to open a file: the kernel ends the process.
   expect_broken("jmp 0x33:0x10\nalign 16\nbits 64\nmov eax, 2\nsyscall", "BROKEN");
 }
 

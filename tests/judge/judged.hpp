@@ -19,7 +19,7 @@ inline command::Run judge(const std::string& file, const std::string& options) {
 
 inline std::string routine(const std::string& name) { return JUDGE_ROUTINES + name + ".asm"; }
 
-/// The options of a multiply of eax and ebx in 32-bit code.
+/// The options for a 32-bit multiply of eax and ebx.
 inline const std::string in_registers = "--bits|32|--frame|eax, ebx -> eax|--as|mul";
 
 /// Expects a status and parts of the output.

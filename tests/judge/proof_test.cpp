@@ -1,4 +1,4 @@
-// Proofs of routines, and what keeps one from being proven.
+// Proofs of routines, and what prevents one.
 #include "tests/judge/judged.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
@@ -68,7 +68,7 @@ TEST(JudgeProof, IdivIsProvenFaultsIncluded) {
 TEST(JudgeProof, ARuleWithoutAClaimIsNamed) {
   if (!command::has("z3")) GTEST_SKIP() << "no z3";
   expect(judge(routine("by_fraction"), "--as|mul|--rule|wolf3d" + prove), 0,
-         {"AGREES on", "NOT PROVEN, only judged by cases: there are proofs for "});
+         {"AGREES on", "NOT PROVEN, only judged by cases: only mul, div, "});
 }
 
 TEST(JudgeProof, OneWrongCaseIn2To32IsFoundByTheProofAlone) {
@@ -90,8 +90,9 @@ TEST(JudgeProof, WhatIsNotModelledIsNamed) {
   if (!command::has("z3")) GTEST_SKIP() << "no z3";
   const ScratchFolder folder;
   const auto file = folder.write("bsf.asm", "imul ebx\nbsf ecx, eax\nshrd eax, edx, 16\nret");
-  expect(judge(file, judged::in_registers + prove), 0,
-         {"NOT PROVEN, only judged by cases: bsf ecx,eax at 0002h: this is not modelled"});
+  expect(
+      judge(file, judged::in_registers + prove), 0,
+      {"NOT PROVEN, only judged by cases: bsf ecx,eax at 0002h: this instruction is not modelled"});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Right and subtly wrong routines, whose verdicts follow from their comments.
+// Right and subtly wrong routines. Their comments say what each verdict must be.
 #include "tests/judge/judged.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"

@@ -1,5 +1,5 @@
-// Planted differences in runs of a hundred thousand operations: compare() must name the operation
-// and say what differs. Equal runs differ nowhere.
+// Plants differences in runs of a hundred thousand operations. compare() must name the operation
+// and say what differs. Equal runs must not differ.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,10 +42,10 @@ class Runs : public testing::Test {
 };
 
 constexpr std::uint64_t turns = 25000;
-// from_raw() of the loop's constant comes first.
+// The first operation is from_raw() for the loop's constant.
 constexpr std::uint64_t before = 1;
 
-/// Records both runs, finds the block, records it in full, and returns what compare() then says.
+/// Records both runs, finds the block, records it in full, and returns what compare() then finds.
 Comparison find(const std::string& a, const std::string& b, std::uint64_t count, Plant plant,
                 std::uint64_t turn) {
   recorder_test::run(a, count, Plant::nothing, 0);
@@ -139,7 +139,7 @@ TEST_F(Runs, TwoSwappedAdditions) {
   expect_at(found, before + 4 * (turns / 2) + 1);
 }
 
-/// Sums of products, whose order the compiler may choose. `other` chooses the other one.
+/// Records sums of products, whose order the compiler may choose. `other` selects the other order.
 void sums_of_products(const std::string& path, bool other, int wrong,
                       record::full_range full = {}) {
   const record::log log(path, {.program = "test", .full = full});
@@ -150,7 +150,7 @@ void sums_of_products(const std::string& path, bool other, int wrong,
     if (i == wrong) x.value_ = x.plain() + q16_16::from_raw(1);
     const real first = other ? y * y : x * x;
     const real second = other ? x * x : y * y;
-    // Five records a turn: ends of blocks come between the products, too.
+    // With five records in a turn, some blocks end between the products.
     x = -(other ? second + first : first + second);
   }
 }
@@ -176,7 +176,8 @@ TEST_F(Runs, ADifferenceAmongOperandsInAnotherOrderIsFound) {
       }
       ASSERT_TRUE(found.a.index) << wrong;
       const auto operation = found.a.records[*found.a.index].operation;
-      // The conversion, then five operations in each turn: the product of the wrong number.
+      // One conversion, then five operations in each turn. The product of the wrong number is the
+      // second.
       EXPECT_EQ(operation, 1 + 5 * static_cast<std::uint64_t>(wrong) + 1) << wrong;
     }
   }
@@ -215,8 +216,8 @@ TEST_F(Runs, ADoubleThatDiffersIsShown) {
   EXPECT_EQ(found.b.records.at(0).input, std::bit_cast<std::uint64_t>(0.1 + 1e-4));
 }
 
-/// A game that goes back: frame by frame, with the inputs of the other player guessed and, where
-/// the guess was wrong, simulated again.
+/// Simulates a game that goes back. It guesses the inputs of the other player, and simulates frames
+/// again after wrong guesses.
 void play(const std::string& path, int late, int frames, int wrong_frame = -1) {
   const record::log log(path, {.program = "rollback", .full = {true, 20, 20}});
   using real = recorder_test::real;
@@ -261,6 +262,44 @@ TEST_F(Runs, ADifferenceInARollback) {
   EXPECT_EQ(found.a.entry.frame, 20);
   const auto operation = desync::operation_of(found.a.records.at(*found.a.index).words);
   EXPECT_EQ(operation.kind, record::kind::add);
+}
+
+/// Records a frame of `operations` operations in full, and a short one after it.
+void play_long_frame(const std::string& path, int operations) {
+  const record::log log(path, {.full = {.is_of_frames = true, .first = 7, .last = 7}});
+  record::frame(7);
+  recorder_test::real sum;
+  for (int i = 0; i < operations; ++i) sum += recorder_test::real();
+  record::frame(8);
+  sum += sum;
+}
+
+TEST_F(Runs, AFrameThatGoesOnAfterAFullBlock) {
+  // The frame's own record and 1,023 operations fill a block.
+  play_long_frame(a(), 1023);
+  play_long_frame(b(), 1025);
+  for (const bool swapped : {false, true}) {
+    LogFile first(swapped ? b() : a());
+    LogFile second(swapped ? a() : b());
+    const Comparison found = desync::compare_last_frames(first, second);
+    EXPECT_EQ(found.verdict, Verdict::path);
+    EXPECT_EQ(found.a.index.has_value(), swapped);
+    const desync::Place& longer = swapped ? found.a : found.b;
+    ASSERT_TRUE(longer.index);
+    EXPECT_EQ(longer.records.at(*longer.index).operation, 1023U);
+  }
+}
+
+TEST_F(Runs, TheLongestNamesAreCutAndFound) {
+  const std::string name(300, 'x');
+  {
+    const record::log log(a(), {.full = {.first = 0, .last = 0}});
+    record::mark(name);
+    (void)(recorder_test::real(1) + recorder_test::real(2));
+  }
+  LogFile log(a());
+  EXPECT_EQ(log.name(log.records(0).at(1).name == 0 ? 0 : 1), name.substr(0, 255));
+  EXPECT_EQ(log.name_with_hash(log.records(0).at(1).name), name.substr(0, 255));
 }
 
 TEST_F(Runs, FramesThatAreNotConfirmedDoNotCount) {

@@ -1,5 +1,5 @@
-// Logs of killed runs, and logs that nobody wrote: they are read as far as they are sound, or
-// refused by name. Nothing else may happen.
+// Logs of killed runs, and forged logs. A log must be read as far as it is sound, or refused by
+// name. Nothing else may happen.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -25,7 +25,9 @@ using recorder_test::Plant;
 class Logs : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "fixproof_record_logs";
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              ("fixproof_record_logs_" + std::string(test->name()));
     std::filesystem::create_directories(folder_);
     recorder_test::run(a(), 25000, Plant::nothing, 0, {false, 90, 91});
     recorder_test::run(b(), 25000, Plant::operand, 23000, {false, 90, 91});
@@ -40,7 +42,7 @@ class Logs : public testing::Test {
     std::ofstream(path, std::ios::binary) << bytes;
   }
 
-  /// Reads both logs in every way; returns whether they were refused.
+  /// Reads both logs in every way. Returns whether one was refused.
   bool refused() const {
     try {
       LogFile first(a());
@@ -90,10 +92,10 @@ TEST_F(Logs, EveryBitThatIsFlippedIsFoundOrDoesNotMatter) {
     write(a(), damaged);
     found += refused() ? 1 : 0;
   }
-  EXPECT_GT(found, 50);  // the pages that are read
+  EXPECT_GT(found, 50);  // only damage to pages that are read is found
 }
 
-/// Pages that are right in their checksums and wrong in what they say.
+/// These pages have right checksums and wrong contents.
 TEST_F(Logs, PagesWithImpossibleContentsAreRefused) {
   const std::string bytes = read(a());
   std::mt19937_64 random(386);
@@ -148,7 +150,7 @@ TEST_F(Logs, OfAKilledProgramGoOnToItsLastPage) {
       testing::ExitedWithCode(7), "");
   LogFile log(killed);
   EXPECT_FALSE(log.is_complete());
-  // All whole pages of 30 blocks of 1,024 operations.
+  // The log has all full pages, each of 30 blocks of 1,024 operations.
   EXPECT_EQ(log.blocks(), 200002U / 1024 / 30 * 30);
 }
 

@@ -1,5 +1,6 @@
-// Every operation of the type, on the recorded type: the same bits, and one record, or none for
-// those that make no number. `interface` checks that no function of fixed/ is missing here.
+// Runs every operation of the type on the recorded type. It must give the same bits and make one
+// record, or none if it makes no number. `interface` checks that no function of fixed/ is missing
+// here.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -20,7 +21,7 @@ namespace {
 
 using namespace fixproof;
 
-/// \name What a result is made of, as text to compare
+/// \name A result as text, to compare
 /// \{
 template <class Raw, int F, policy P>
 std::string bits(number<Raw, F, P> x) {
@@ -67,7 +68,7 @@ class Interface : public testing::Test {
   using R = recorded_number<Number>;
   using Raw = typename N::raw_type;
 
-  /// Calls `f` with plain and with recorded operands, edges and drawn ones.
+  /// Calls `f` with plain and with recorded operands, both edges and random ones.
   template <class F>
   void expect(const char* name, std::uint64_t records, const F& f) {
     constexpr Raw low = (std::numeric_limits<Raw>::min)();
@@ -102,7 +103,7 @@ using Types = testing::Types<q16_16, q16_16_saturating, q16_16_trapping, q16_16_
                              q8_8, q2_30, u8_8, q8_0, q32_32>;
 TYPED_TEST_SUITE(Interface, Types);
 
-/// An expression of a, b and c, of T, which is the plain or the recorded type.
+/// Tests an expression of a, b and c, whose type T is plain or recorded.
 #define EXPRESSION(records, ...)                                                               \
   this->expect(#__VA_ARGS__, records,                                                          \
                []([[maybe_unused]] auto a, [[maybe_unused]] auto b, [[maybe_unused]] auto c) { \
@@ -361,7 +362,7 @@ TYPED_TEST(Functions, OfAtMost32Bits) {
   if constexpr (TypeParam::fraction_bits != 14) RECORDS(sin_cos(a));
 }
 
-// The interface beside results.
+// The rest of the interface.
 using R = recorded<q16_16>;
 static_assert(sizeof(R) == sizeof(q16_16) && std::is_trivially_copyable_v<R>);
 static_assert(is_number_v<R> && any_number<R>);
@@ -374,7 +375,7 @@ template <R Value>
 struct Argument {};
 [[maybe_unused]] constexpr Argument<R(0.5)> argument;
 
-/// What does not compile with the type does not with the recorded one.
+/// What does not compile with the type does not compile with the recorded type either.
 template <class T>
 inline constexpr bool refuses = !requires(T a) {
   a + 1.5;

@@ -1,4 +1,4 @@
-// A planted difference in operation 10^8, found and shown in seconds. Takes two runs of each side.
+// Plants a difference in operation 10^8 and finds it in seconds, with two runs of each side.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -38,7 +38,7 @@ TEST(LongRun, OperationTenToTheEight) {
     }
     EXPECT_EQ(found.verdict, desync::Verdict::order);
     ASSERT_TRUE(found.a.index);
-    // The constant comes first, and the turn's own from_raw().
+    // The constant and the turn's own from_raw() come first.
     EXPECT_EQ(found.a.records[*found.a.index].operation, 1 + 4 * at + 1);
   }
   std::filesystem::remove_all(folder);

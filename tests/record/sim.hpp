@@ -13,16 +13,21 @@ namespace fixproof::recorder_test {
 using real = recorded<q16_16>;
 static_assert(!std::is_same_v<real, q16_16>);
 
-/// What one side does otherwise.
-enum class Plant { nothing, operand, arithmetic, order, conversion, extra };
+/// What one side does differently.
+enum class Plant { nothing, operand, arithmetic, order, contraction, extra };
 
-/// The number of the loop's first operation that the planted difference changes, from 0: turns have
-/// four operations.
+/// 0 if the product is rounded. A compiler that contracts it with the difference computes 2^-14.
+inline double contracted() {
+  const volatile double a = 1 + 0x1p-27;
+  const volatile double b = 1 + 0x1p-26;
+  return (a * a - b) * 0x1p40;
+}
+
+/// Returns the turn of an operation of the loop, from 0. A turn has four operations.
 inline std::uint64_t turn_of(std::uint64_t operation) { return operation / 4; }
 
 /// Records `turns` turns of four operations in a log, with a mark every 1,000 turns and a frame
-/// every 5,000. The turn `at` has the planted difference, which leaves the later state as it is
-/// unless the operations themselves differ.
+/// every 5,000. The turn `at` has the planted difference.
 inline void run(const std::string& path, std::uint64_t turns, Plant plant, std::uint64_t at,
                 record::full_range full = {}) {
   const record::log log(path, {.program = "test", .full = full});
@@ -35,10 +40,11 @@ inline void run(const std::string& path, std::uint64_t turns, Plant plant, std::
     if (turn == at && plant != Plant::nothing) {
       switch (plant) {
         case Plant::operand:
-          sum.value_ = q16_16::from_raw(sum.raw() ^ 1);  // memory changes, which is not recorded
+          sum.value_ =
+              q16_16::from_raw(sum.raw() ^ 1);  // a change of memory, which is not recorded
           break;
         case Plant::arithmetic:
-          // The sum of another arithmetic: one unit more.
+          // The sum of a different arithmetic, one unit more.
           record::detail::note<record::kind::add, q16_16>(
               record::nowhere, q16_16::from_raw(sum.raw() + step.raw() + 1), sum.plain(),
               step.plain());
@@ -51,8 +57,8 @@ inline void run(const std::string& path, std::uint64_t turns, Plant plant, std::
           sum += step;
           sum = sum * real(q16_16(1));
           continue;
-        case Plant::conversion:
-          sum += real(1e-3);
+        case Plant::contraction:
+          sum += real(contracted());
           break;
         default:
           sum = -sum;

@@ -72,7 +72,8 @@ def check_pins(path):
                          re.IGNORECASE)
         if action:
             pins += 1
-            if not re.fullmatch(r"[\w./-]+@[0-9a-f]{40} +# v\d+(\.\d+)+", action[1]):
+            # This project's own action, under the name of whoever publishes it.
+            if not re.fullmatch(r"[\w./-]+@[0-9a-f]{40} +# v\d+(\.\d+)+|OWNER/fixproof@v\d+(\.\d+)+", action[1]):
                 breaches.append(f"{place}: {action[1]}: write ACTION@COMMIT  # vVERSION, with all 40 digits")
         elif image:
             pins += 1
@@ -111,7 +112,7 @@ def check_workflow(path):
 
 
 commands = sum(check_workflow(path) for path in sorted((root / ".github/workflows").glob("*.yml")))
-pins = sum(check_pins(path) for pattern in (".github/workflows/*.yml", "docs/*.md", "docs/scale/*")
+pins = sum(check_pins(path) for pattern in (".github/workflows/*.yml", "action.yml", "docs/*.md", "docs/scale/*")
            for path in sorted(root.glob(pattern)))
 print(f"{pins} actions and images")
 if not (commands and pins and presets and labels and processors):

@@ -1,7 +1,7 @@
 // usage: node digest.mjs MODULE.wasm FIXPROOF
 //
-// The module must give the words that the native command gives: 10,000 cases of each operation in each format. Prints one
-// digest of all words. Status 0: equal, 1: not.
+// Checks that the module gives the same words as the native command, for 10,000 cases of each operation in each format.
+// Prints a digest of all words. Status 0: they are equal, 1: they are not.
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
@@ -11,7 +11,7 @@ const [moduleFile, fixproof] = process.argv.slice(2);
 const CASES = 10_000;
 const OPERATIONS = { add: 2, sub: 2, mul: 2, div: 2, sqrt: 1 };
 
-// xorshift64*: operands that any machine repeats.
+// xorshift64*, so that every machine has the same operands.
 let seed = 1994n;
 function random() {
   seed ^= seed >> 12n;
@@ -20,7 +20,7 @@ function random() {
   return (seed * 0x2545f4914f6cdd1dn) & 0xffffffffffffffffn;
 }
 
-// Words of every magnitude, and the ends of the range.
+// Returns words of every magnitude, and the ends of the range.
 function word(bits) {
   const value = random();
   const edges = [0n, 1n, ~0n, 1n << BigInt(bits - 1), (1n << BigInt(bits - 1)) - 1n];

@@ -1,7 +1,7 @@
 // usage: node frames.mjs MODULE.wasm FIXPROOF SCENES
 //
-// The module must draw the frames that the native command draws, which reads the scenes by itself: 120 frames of each
-// scene in each arithmetic. Status 0: equal, 1: not.
+// Checks that the module draws the same frames as the native command, which reads the scenes itself: 120 frames of each
+// scene in each arithmetic. Status 0: they are equal, 1: they are not.
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -11,7 +11,7 @@ import { loadModule } from "../../web/page/wasm.mjs";
 
 const [moduleFile, fixproof, scenesFolder] = process.argv.slice(2);
 const FRAMES = 120;
-// In the order of the module.
+// In the order of the module's arithmetics.
 const ROUNDED = [["on", "on"], ["on", "off"], ["off", "on"], ["off", "off"]];
 const builds = ["i386", "i8088"].flatMap((target) => ROUNDED.map(([mul, div]) =>
   ["--arith", "type", "--target", target, "--mul-round", mul, "--div-round", div]));

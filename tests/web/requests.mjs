@@ -1,6 +1,7 @@
 // usage: node requests.mjs MODULE.wasm
 //
-// No request ends the module: every answer to 20,000 requests, sensible and not, is JSON. Status 0: so it is, 1: not.
+// Checks that no request ends the module: every answer to 20,000 requests, both sensible and malformed, must be JSON.
+// Status 0: every answer is, 1: one is not.
 import { readFileSync } from "node:fs";
 import { loadModule } from "../../web/page/wasm.mjs";
 

@@ -1,4 +1,4 @@
-// Famous cases: one link for each finding of docs/findings.md, in three sentences.
+// Famous cases: links to cases of docs/findings.md, each with three sentences.
 import { html } from "../vendor/lit-html.js";
 import { hashOf } from "./state.mjs";
 
@@ -6,34 +6,34 @@ const move = (x, y, z) => `1 0 0 ${x}  0 1 0 ${y}  0 0 1 ${z}`;
 
 export const cases = [
   { name: "0.5 + 0.5 = 0", finding: 18, state: { view: "trace", routine: "concat", build: "i8088-on", beside: "i8088-on-repaired", operands: `${move("0.5", 0, 0)}  ${move("0.5", 0, 0)}`, step: "differs" },
-    says: "The 8088 ConcatXforms adds a translation as a low and a high word. Both additions are ADD, so the carry from the low words is lost and 0.5 + 0.5 gives 0. The repaired routine has ADC for the second one: step on and watch the high word." },
+    says: "The 8088 ConcatXforms adds a translation as a low and a high word. Both additions are ADD, so the carry from the low words is lost, and 0.5 + 0.5 gives 0. The repaired routine uses ADC for the second one: step on and watch the high word." },
   { name: "Cubes one unit too far away", finding: 18, state: { view: "scenes", scene: "lost_carry", arithmetic: "4", against: "8", play: "no", frame: "0" },
-    says: "The viewer stands at a place with a fraction, so the lost carry shifts whole cubes. On the right is every pixel that the repaired routine draws differently. Play the scene, and switch to the repaired arithmetic while it runs." },
+    says: "The viewer stands at a position with a fraction, so the lost carry shifts whole cubes. On the right is every pixel that the repaired routine draws differently. Play the scene, and switch to the repaired arithmetic while it runs." },
   { name: "Thirty minutes of drift", finding: 2, state: { view: "scenes", scene: "twelve_cubes", arithmetic: "3", against: "11", show: "other", play: "no", frame: "108000" },
-    says: "Every turn multiplies the last orientation by a small rotation and rounds. Without rounding to nearest, the errors all point one way, and after half an hour the cubes are no longer cubes. On the right are the same cubes in double." },
+    says: "Every step multiplies the last orientation by a small rotation and rounds. Without rounding to nearest, all errors point the same way, and after half an hour the cubes are no longer cubes. On the right are the same cubes in double." },
   { name: "The fault that disappears", finding: 3, state: { view: "operation", op: "div", in: "q16_16", a: "0x00008001", b: "0x00000001" },
-    says: "The rounded 386 divide uses the unsigned DIV, which faults only if the quotient needs more than 32 bits. This quotient, 32769, needs the sign bit, so two positive numbers silently give −32767. Without rounding the routine uses IDIV, which raises the divide error." },
+    says: "The rounded 386 divide uses the unsigned DIV, which faults only if the quotient needs more than 32 bits. This quotient, 32769, needs the sign bit, so two positive numbers silently give −32767. Without rounding, the routine uses IDIV, which raises the divide error." },
   { name: "Halves that split two builds", finding: 2, state: { view: "operation", op: "mul", in: "q16_16", a: "0xffffffff", b: "0.5" },
     says: "Minus one unit times 0.5 lies exactly between two words. The 386 adds half a unit to the signed product and goes up to 0; the 8088 adds it to the magnitude and goes away from zero. One program, built for both processors, draws different vertices." },
   { name: "A switch the wrong way round", finding: 1, state: { view: "trace", routine: "div", build: "i386-off", beside: "i8088-on", operands: "2 3", step: "1000" },
-    says: "The 8088 divide rounds if its switch equals zero; the 386 divide rounds if it does not. With the switches as printed the 386 cuts quotients off and the 8088 rounds them. So 2 / 3 ends in aaaa on one and in aaab on the other." },
+    says: "The 8088 divide rounds if its switch is zero; the 386 divide rounds if it is not. With the switches as printed, the 386 truncates quotients and the 8088 rounds them. So 2 / 3 ends in aaaa on one and in aaab on the other." },
   { name: "A divisor loses its fraction", finding: 4, state: { view: "operation", op: "div", in: "q16_16", a: "0x0000ffff", b: "0x0001ffff" },
-    says: "The 8088 divides by the whole part of the divisor only. A divisor just below 2 counts as 1, so this quotient is twice as large as it should be. A point near the viewer is drawn far from its place, and snaps back at every whole distance." },
+    says: "The 8088 divides by only the whole part of the divisor. A divisor just below 2 counts as 1, so this quotient is twice as large as it should be. A point near the viewer is drawn far from its place, and snaps back at every whole distance." },
   { name: "One is too small to divide by", finding: 4, state: { view: "operation", op: "div", in: "q16_16", a: "1", b: "0x0000ffff" },
-    says: "The whole part of any divisor below 1.0 is 0. To the 8088, dividing by it is dividing by zero. The 386 gives the quotient, one unit above 1." },
+    says: "The whole part of any divisor between −1 and 1 is 0. To the 8088, such a division is a division by zero. The 386 gives the quotient, one unit above 1." },
   { name: "A carry that means nothing", finding: 10, state: { view: "trace", routine: "div", build: "i8088-off-scanned", beside: "i8088-off", operands: "2.5 2", step: "1000" },
-    says: "In a scan of the book, one ADC stands after the end of the conditional assembly. It then adds a carry straight after DIV, which leaves all flags undefined. The model marks every such flag with a question mark and stops where one is read." },
+    says: "In a scan of the book, one ADC stands after the end of the conditional assembly. There it adds a carry right after DIV, which leaves all flags undefined. The model marks every such flag with a question mark, and stops where one is read." },
   { name: "Arguments that change", finding: 11, state: { view: "trace", routine: "div", build: "i8088-on", beside: "none", operands: "-0.25 -2.75", step: "8" },
-    says: "The 8088 divide makes its operands positive where they are: in the caller's arguments on the stack. A caller that uses them again finds different numbers. Step forward: the stack loses both signs." },
+    says: "The 8088 divide makes its operands positive in place, in the caller's arguments on the stack. A caller that uses them again finds different numbers. Step forward and watch the stack lose both signs." },
   { name: "The translation in every column", finding: 6, state: { view: "trace", routine: "concat", build: "i386-52", beside: "i386-on", operands: `${move(1, 2, 3)}  ${move(4, 5, 6)}`, step: "1000" },
-    says: "ConcatXforms of chapter 52 adds the first translation to all four sums of a row. Chapters 53 and 54 add it to the fourth sum only, which is right. Here two moves become a transform that is no move at all." },
+    says: "The ConcatXforms of chapter 52 adds the first translation to all four sums of a row. Chapters 53 and 54 add it only to the fourth sum, which is right. Here two translations become a transform that is no translation at all." },
   { name: "Half a unit, and less", finding: 12, state: { view: "operation", op: "mul", in: "q16_16", a: "0x00000001", b: "0x00008000" },
-    says: "One comment says that rounding adds a whole unit, another says half a unit. The code adds half a unit: a product of half a unit becomes one unit. With 0x00007fff in place of the second number it becomes 0." },
+    says: "One comment says that rounding adds a whole unit, another says half a unit. The code adds half a unit, so a product of half a unit becomes one unit. With 0x00007fff as the second number, the product becomes 0." },
 ];
 
 export const casesView = () => html`
   <h2>Famous cases</h2>
-  <p>Each link opens a view of this page with the case in it. The numbers are those of docs/findings.md.</p>
+  <p>Each link opens a case in a view of this page. The numbers of the findings are those of docs/findings.md.</p>
   <div class="cases">${cases.map((each) => html`
     <article><h3><a href=${hashOf(each.state)}>${each.name}</a> <small>finding ${each.finding}</small></h3><p>${each.says}</p></article>`)}
   </div>`;

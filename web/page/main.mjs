@@ -8,7 +8,7 @@ import { defaults, hashOf, stateOf } from "./state.mjs";
 import { afterTrace, traceView } from "./trace.mjs";
 import { embeddedModule } from "./wasm.mjs";
 
-// For each view what it draws, and what it does once that is drawn.
+// For each view: the function that draws it, and one that runs once it is drawn.
 const views = {
   number: [numberView],
   operation: [operationView],
@@ -18,7 +18,7 @@ const views = {
 };
 
 let state = stateOf(location.hash);
-// Who asks for less motion starts the scenes.
+// A person who asks for less motion starts the scenes by hand.
 if (matchMedia("(prefers-reduced-motion: reduce)").matches) state.play = "no";
 let module;
 
@@ -42,7 +42,7 @@ function update(changes) {
   draw();
 }
 
-// The module ends at a throw; the page then says so.
+// If the module ends at a throw, the page says so.
 function broken(error) {
   document.getElementById("view").textContent = `The module stopped: ${error.message}. Load the page again.`;
 }

@@ -1,4 +1,4 @@
-// One number: its bits, and the same number in every format.
+// One number: its bits, and its value in every format.
 import { html, nothing } from "../vendor/lit-html.js";
 import { agreement, input, problem, select, short } from "./parts.mjs";
 
@@ -6,7 +6,7 @@ export const formatNames = (rows) => rows.map((row) => [row.name, row.name]);
 
 const flipped = (row, bit) => "0x" + (BigInt("0x" + row.word) ^ (1n << BigInt(bit))).toString(16).padStart(row.bits / 4, "0");
 
-// Arrow keys go from bit to bit.
+// Arrow keys move from bit to bit.
 function moveFocus(event) {
   const step = { ArrowLeft: -1, ArrowRight: 1, Home: -64, End: 64 }[event.key];
   if (!step) return;
@@ -44,14 +44,14 @@ const rowOf = (row, update) => html`
 
 export function numberView(module, state, update) {
   const answer = module.ask("number", state.format, state.text);
-  // The last good answer stays, so that nothing moves while a person types.
+  // The last good answer remains, so that nothing moves while a person types.
   if (!answer.error) numberView.last = answer;
   const shown = answer.error ? numberView.last ?? module.ask("number", "q16_16", "0") : answer;
   const row = shown.rows.find((each) => each.name === state.format) ?? shown.rows[17];
   return html`
     <h2>One number in every format</h2>
-    <p>Type a decimal number, or a word of the chosen format as 0x and hexadecimal digits or 0b and bits. Each format takes the
-      nearest number, and a half goes up.</p>
+    <p>Type a decimal number, or a word of the chosen format: 0x and hexadecimal digits, or 0b and bits. Each format
+      takes the nearest number, and halves round up.</p>
     <div class="choices">
       ${input("Number", state.text, (text) => update({ text }))}
       ${select("Format of words", state.format, formatNames(shown.rows), (format) => update({ format }))}

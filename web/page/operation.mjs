@@ -1,4 +1,4 @@
-// Two numbers and an operation: the exact result, and where each rule and each build lands.
+// Two numbers and an operation: the exact result, and the word that each rule and each build gives.
 import { html, nothing } from "../vendor/lit-html.js";
 import { agreement, between, input, operations, problem, select, short } from "./parts.mjs";
 import { hashOf } from "./state.mjs";
@@ -26,7 +26,7 @@ const table = (label, rows, state) => html`
   </table></div>`;
 
 const resultOf = (answer) => html`
-  <p class="exact">${answer.exact === undefined ? "The exact result is not a fraction." :
+  <p class="exact">${answer.exact === undefined ? "No exact result to show: it is a root, or the divisor is 0." :
     html`The exact result is <b>${short(answer.exact, 60)}</b>${answer.fits ? "" : ", out of range"}.`}</p>
   <div class="place">
     <span>${answer.below ? html`0x${answer.below.word}` : ""}</span>
@@ -50,6 +50,6 @@ export function operationView(module, state, update) {
     ${problem(answer.error)}
     ${shown ? html`
       ${resultOf(shown)}
-      ${table("Rule of rounding", shown.rules, state)}
+      ${table("Rounding rule", shown.rules, state)}
       ${shown.builds.length ? table("Build of FIXED.ASM", shown.builds, state) : nothing}` : nothing}`;
 }

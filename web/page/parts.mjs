@@ -1,4 +1,4 @@
-// Parts that several views have.
+// Parts that several views share.
 import { html, svg, nothing } from "../vendor/lit-html.js";
 
 export const operations = [["add", "+"], ["sub", "−"], ["mul", "×"], ["div", "÷"], ["sqrt", "√"]];
@@ -16,7 +16,7 @@ export const input = (label, value, change) => html`
       @input=${(e) => change(e.target.value)}>
   </label>`;
 
-// A figure shortened for the table; the whole of it is its title.
+// A figure, shortened for the table. Its title has all digits.
 export const short = (text, digits = 14) => text === undefined ? nothing :
   text.length <= digits ? text : html`<span title=${text}>${text.slice(0, digits - 1)}…</span>`;
 
@@ -26,7 +26,7 @@ export const agreement = (agrees) => agrees
 
 export const problem = (text) => html`<p class="problem" role="status">${text ?? ""}</p>`;
 
-// Where the exact result lies between two words.
+// A picture of where the exact result lies between two words.
 export const between = (part) => svg`
   <svg class="between" viewBox="0 0 400 24" aria-hidden="true">
     <path d="M8 12H392M8 5V19M200 9V15M392 5V19"></path>

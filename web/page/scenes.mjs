@@ -1,12 +1,14 @@
-// X-Sharp on a canvas: the arithmetic can be switched while it runs, and every pixel is compared with another arithmetic.
+// X-Sharp on a canvas. The arithmetic can be switched while a scene runs. Every pixel is compared with another
+// arithmetic.
 import { html } from "../vendor/lit-html.js";
 import { select } from "./parts.mjs";
 
 const MINUTES = 30;
-// Moves in one tick while the slider is ahead: a tenth of a second at most, so that the page answers.
+// The most moves in one tick while the slider is ahead. They take at most a tenth of a second, so the page stays
+// responsive.
 const MOVES = 1500;
 
-// What runs. The page is drawn when a control changes; the figures of each frame are written by tick().
+// The running scene. A change of a control draws the page; tick() writes the figures of each frame.
 const run = { opened: "", arithmetic: -1, frame: 0, target: 0, ticking: false, drawn: [], last: 0, owed: 0 };
 
 // A link opens a scene from its first frame, whatever ran before.
@@ -33,10 +35,10 @@ function drawFrame(c, scene, other) {
   part("frame").textContent = run.frame.toLocaleString("en");
   part("time").textContent = clock(run.frame, scene.frames_per_second);
   part("slider").value = run.frame;
-  part("busy").textContent = run.frame < run.target ? `on the way to ${clock(run.target, scene.frames_per_second)}` : "";
+  part("busy").textContent = run.frame < run.target ? `moving to ${clock(run.target, scene.frames_per_second)}` : "";
 }
 
-// One tick of the screen: moves towards the target, and the target with the time if the scene plays.
+// One tick of the screen. Moves towards the target frame, and advances the target with the time if the scene plays.
 function tick(now, module, stateNow) {
   const state = stateNow();
   if (state.view !== "scenes" || !document.getElementById("stage")) {
@@ -69,7 +71,7 @@ const stagesOf = (module) => known ??= module.ask("stages");
 const sceneOf = (scenes, state) => scenes.find((scene) => scene.file === state.scene) ?? scenes[0];
 const within = (text, count) => Math.min(count - 1, Math.max(0, Number.parseInt(text, 10) || 0));
 
-// Opens the scene, or switches the arithmetic of the one that runs.
+// Opens the scene, or switches the arithmetic of the running one.
 function follow(module, state) {
   const { scenes, arithmetics } = stagesOf(module);
   const opened = [state.scene, state.against].join("\n");
@@ -99,8 +101,8 @@ export function scenesView(module, state, update) {
   };
   return html`
     <h2>X-Sharp in two arithmetics</h2>
-    <p>The arithmetic switches while the scene runs: it goes on from where the old one left everything. Restart plays from the
-      first frame. White pixels are those that differ from the other arithmetic.</p>
+    <p>Switch the arithmetic while the scene runs: the new one continues from where the old one left everything. Restart plays
+      from the first frame. White pixels differ from the other arithmetic.</p>
     <div class="choices">
       ${select("Scene", scene.file, scenes.map(({ file, name }) => [file, name]), (file) => update({ scene: file, frame: "0" }))}
       ${select("Arithmetic", state.arithmetic, numbered, (arithmetic) => update({ arithmetic, frame: String(run.frame) }))}

@@ -1,4 +1,4 @@
-// What the page shows is in its address, so that a link shows the same.
+// The address of the page holds what it shows, so that a link shows the same.
 
 export const defaults = {
   view: "number",
@@ -8,7 +8,7 @@ export const defaults = {
   scene: "twelve_cubes", arithmetic: "4", against: "11", show: "difference", play: "yes", frame: "0",
 };
 
-// Values that are missing or unknown are the defaults.
+// Returns the state in an address. Missing keys have their defaults, and unknown keys are ignored.
 export function stateOf(hash) {
   const given = new URLSearchParams(hash.replace(/^#/, ""));
   const state = { ...defaults };
@@ -16,7 +16,7 @@ export function stateOf(hash) {
   return state;
 }
 
-// Only what differs from the defaults, and the view.
+// Returns the address of a state: the view, and what differs from the defaults.
 export function hashOf(state) {
   const kept = Object.entries(state).filter(([key, value]) => key === "view" || value !== defaults[key]);
   return "#" + new URLSearchParams(kept).toString();

@@ -1,4 +1,4 @@
-// A routine, instruction by instruction, forward and backward; two builds in step.
+// A routine, instruction by instruction, forward and backward. Two builds go in step.
 import { html, nothing } from "../vendor/lit-html.js";
 import { input, problem, select, short } from "./parts.mjs";
 
@@ -14,7 +14,7 @@ export const sampleOperands = {
 const buildName = (name) => name.replace("i", "").replace("-on", ", rounded").replace("-off", ", not rounded")
   .replace("-52", ", chapter 52").replace("-repaired", ", repaired").replace("-scanned", ", as scanned");
 
-// The last recorded trace; it is recorded again only if what is traced changes.
+// The last recorded trace. A change of the routine, a build or the operands records it again.
 let recorded = { key: "", answer: null };
 function recording(module, state) {
   const key = [state.routine, state.build, state.beside, state.operands].join("\n");
@@ -26,7 +26,7 @@ function recording(module, state) {
 
 export const lastStep = (answer) => Math.max(...answer.runs.map((run) => run.steps));
 
-// The step that the address names: a number, or where the builds differ.
+// Returns the step that the address names: a number, or the first at which the builds differ.
 export function stepOf(answer, step) {
   const wanted = step === "differs" ? answer.differs : Number.parseInt(step, 10) || 0;
   return Math.max(0, Math.min(lastStep(answer), wanted));
@@ -98,7 +98,7 @@ export function traceView(module, state, update) {
       <div class="runs">${answer.runs.map((run, i) => runView(run, module.ask("state", i, step)))}</div>` : nothing}`;
 }
 
-// Keeps the current instruction in sight, without moving the page.
+// Scrolls the listing, but not the page, to keep the current instruction in sight.
 export function afterTrace() {
   for (const list of document.querySelectorAll(".listing")) {
     const row = list.querySelector(".stops, .current");

@@ -1,6 +1,6 @@
-// The module: text in, JSON or text out. All arithmetic is there.
+// The module takes text and returns JSON or text. It does all arithmetic.
 
-// The C++ library would write errors to a terminal, which a page does not have.
+// The C++ library would write errors to a terminal, which a page does not have. 8 is the error EBADF.
 const noTerminal = () => 8;
 
 export async function loadModule(bytes) {
@@ -18,7 +18,7 @@ export async function loadModule(bytes) {
   return { c, text, ask: (name, ...lines) => JSON.parse(text(name, lines.join("\n"))) };
 }
 
-// The module of this page, which is packed with gzip and written in base64.
+// Loads the module in this page, which is packed with gzip and encoded in base64.
 export async function embeddedModule() {
   const packed = Uint8Array.from(atob(document.getElementById("module").textContent), (c) => c.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));

@@ -1,4 +1,4 @@
-; Right results, but C compilers rely on SI.
+; Right results, but the routine changes SI, which C compilers rely on.
         push bp
         mov bp, sp
         mov si, 1

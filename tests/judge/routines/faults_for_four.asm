@@ -1,4 +1,4 @@
-; Wrong: a quotient toward zero that faults for the divisor 4.0 alone.
+; Wrong: a quotient rounded toward zero that faults only for the divisor 4.0.
         cmp ebx, 0x40000
         jne .divide
         xor ebx, ebx

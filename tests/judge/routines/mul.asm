@@ -1,4 +1,4 @@
-; Right: eax * ebx in 16.16, half up. The carry of the half goes on into edx.
+; Right: eax * ebx in 16.16, half up. The carry from adding the half goes into edx.
 mul_half_up:
         imul ebx
         add eax, 0x8000

@@ -1,4 +1,5 @@
-; Right: a far Pascal function in 16-bit code, rounded down. The arguments are read from the last.
+; Right: a far Pascal function in 16-bit code, rounded down. The last argument is at the lowest
+; address.
         push bp
         mov bp, sp
         mov eax, [bp+10]

@@ -1,4 +1,4 @@
-; Right: eax * ebx / ecx toward zero.
+; Right: eax * ebx / ecx, rounded toward zero.
         imul ebx
         idiv ecx
         ret

@@ -1,4 +1,4 @@
-; Wrong in one of the 2^32 cases of 8.8: ax * bx rounded down.
+; ax * bx in 8.8, rounded down. Wrong in one of the 2^32 cases.
         cmp ax, 0x1234
         jne .right
         cmp bx, 0x0125

@@ -1,4 +1,4 @@
-; Wrong for half up: ties of negative products go away from zero.
+; Wrong for half up: a tie of a negative product goes away from zero.
         mov ecx, eax
         xor ecx, ebx
         imul ebx

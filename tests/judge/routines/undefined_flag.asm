@@ -1,4 +1,4 @@
-; Wrong on some processors: IMUL leaves SF undefined.
+; Relies on SF, which IMUL leaves undefined. The result is right, because both ways are the same.
         imul ebx
         js .next
 .next:  shrd eax, edx, 16
