@@ -164,6 +164,15 @@ std::string idiom_line(const std::optional<Likeness>& likeness, const cases::For
   return text;
 }
 
+/// Returns a line that names the programs whose rules have no exception; empty if there are none.
+std::string ports_line(const Judge& judge) {
+  std::vector<std::string> names;
+  for (const PortRule* rule : judge.ports().followed()) names.emplace_back(rule->name);
+  if (names.empty()) return "";
+  return fmt::format("  follows the rule {} on all {} cases\n", joined(names, " or "),
+                     support::grouped(judge.cases()));
+}
+
 }  // namespace
 
 std::string guess_text(const Judge& judge) {
@@ -171,7 +180,7 @@ std::string guess_text(const Judge& judge) {
   const cases::Operation operation = judge.rules().operation;
   const cases::Format format = judge.rules().format;
   Rules followed{.operation = operation, .format = format};
-  std::string text = "What the subject does, all rules tried:\n";
+  std::string text = "What the subject does, all rules tried:\n" + ports_line(judge);
 
   const BestRules rounding = trial.rounding();
   // Roundings that agree on roots in range can differ on the mirrored root of a negative operand.

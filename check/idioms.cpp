@@ -226,9 +226,10 @@ void IdiomTrial::add(const JudgedCase& one, bool right) {
     const auto& [numerator, denominator] = *one.converted->value;
     return compare_wide(numerator << format_.fraction_bits, denominator);
   }
+  const auto words = one.values().words();
   if (format_ == cases::q16_16) {
-    const std::int64_t a = static_cast<std::int32_t>(one.words[0]);
-    const std::int64_t b = static_cast<std::int32_t>(one.words[1]);
+    const std::int64_t a = static_cast<std::int32_t>(words[0]);
+    const std::int64_t b = static_cast<std::int32_t>(words[1]);
     const auto word = [](std::int64_t ulps) { return static_cast<std::uint32_t>(ulps); };
     for (std::size_t i = 0; i < all_idioms.size(); ++i) {
       if (all_idioms.at(i).operation != operation_) continue;
@@ -236,7 +237,7 @@ void IdiomTrial::add(const JudgedCase& one, bool right) {
     }
     return;
   }
-  compare_wide(oracle::ulps(one.words[0], wide), oracle::ulps(one.words[1], wide));
+  compare_wide(oracle::ulps(words[0], wide), oracle::ulps(words[1], wide));
 }
 
 std::optional<Likeness> IdiomTrial::likeness() const {

@@ -21,6 +21,7 @@ Judge::Judge(const Rules& rules, std::size_t max_shown)
     : rules_(rules),
       wrong_(max_shown),
       trial_(rules.operation, rules.format),
+      ports_(rules.operation, rules.format),
       idioms_(rules.operation, rules.format),
       common_(rules.operation, rules.format) {
   if (cases::is_function(rules.operation)) {
@@ -29,9 +30,17 @@ Judge::Judge(const Rules& rules, std::size_t max_shown)
 }
 
 void Judge::add(const JudgedCase& one) {
+  if (rules_.port == nullptr) return add_read(one);
+  JudgedCase read = one;
+  read.read_by(rules_);
+  add_read(read);
+}
+
+void Judge::add_read(const JudgedCase& one) {
   const Operands operands = one.operands();
-  const auto rounded = rounded_result(rules_.operation, rules_.format, operands, rules_.rounding);
-  const ExactPlace place = exact_place(rules_.operation, rules_.format, operands);
+  const auto rounded =
+      rounded_result(rules_.operation, rules_.format, one.values(), rules_.rounding);
+  const ExactPlace place = exact_place(rules_.operation, rules_.format, one.values());
   const bool in_range = rounded && rounded->fits;
   const bool right = keeps(rules_, operands, rounded, one.said);
 
@@ -39,7 +48,8 @@ void Judge::add(const JudgedCase& one) {
   const Expected expected = expected_of(rules_, operands, rounded);
   const CaseKind kind = place.kind(rounded && !in_range);
   if (expected.judged) {
-    common_.add({one.words, place, kind, expected.said, one.said, rules_.format}, right);
+    common_.add({one.read.value_or(one.words), place, kind, expected.said, one.said, rules_.format},
+                right);
   } else {
     ++not_judged_;
   }
@@ -59,6 +69,7 @@ void Judge::add(const JudgedCase& one) {
     if (curve_) curve_->add(one, off, rounded->word);
   }
   if (in_range) idioms_.add(one, right);
+  ports_.add(one);
   trial_.add(one, place.has_result && place.negative);
 }
 

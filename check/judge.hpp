@@ -11,6 +11,7 @@
 #include "check/exact_place.hpp"
 #include "check/idioms.hpp"
 #include "check/judged_case.hpp"
+#include "check/port_trial.hpp"
 #include "check/rules.hpp"
 #include "check/trial.hpp"
 
@@ -43,12 +44,16 @@ class Judge {
   /// Empty if the subject gave no result in range.
   [[nodiscard]] const std::optional<LargestError>& largest_error() const { return largest_error_; }
   [[nodiscard]] const RuleTrial& trial() const { return trial_; }
+  [[nodiscard]] const PortTrial& ports() const { return ports_; }
   [[nodiscard]] const IdiomTrial& idioms() const { return idioms_; }
   [[nodiscard]] const CommonTraits& common() const { return common_; }
   /// Empty unless the operation is a function.
   [[nodiscard]] const std::optional<Curve>& curve() const { return curve_; }
 
  private:
+  /// Adds a case whose `read` is set.
+  void add_read(const JudgedCase& one);
+
   Rules rules_;
   std::uint64_t cases_ = 0;
   std::uint64_t not_judged_ = 0;
@@ -57,6 +62,7 @@ class Judge {
   std::array<std::array<KindTally, 2>, case_kinds> tallies_{};
   std::optional<LargestError> largest_error_;
   RuleTrial trial_;
+  PortTrial ports_;
   IdiomTrial idioms_;
   CommonTraits common_;
   std::optional<Curve> curve_;

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "check/rules.hpp"
+#include "check/ports.hpp"
 
 namespace fixproof::check {
 
@@ -23,9 +23,19 @@ struct JudgedCase {
   std::optional<Converted>
       converted{};          ///< of a case that is judged by its exact value, which has no words
   std::string said_text{};  ///< the result of to_decimal, as it stands on its line
+  /// The words in two's complement, if a rule reads them otherwise: see read_words().
+  std::optional<std::array<std::uint64_t, 2>> read{};
 
   [[nodiscard]] Operands operands() const {
     return converted ? Operands(*converted) : Operands(words);
+  }
+  /// The operands that have the exact result.
+  [[nodiscard]] Operands values() const { return read ? Operands(*read) : operands(); }
+  /// Sets `read` if the rule reads the words otherwise.
+  void read_by(const Rules& rules) {
+    if (rules.port != nullptr && rules.port->has_signed_fraction) {
+      read = read_words(*rules.port, words);
+    }
   }
 };
 

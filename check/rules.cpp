@@ -3,6 +3,7 @@
 #include <array>
 
 #include "check/exact_ulps.hpp"
+#include "check/ports.hpp"
 #include "oracle/fast.hpp"
 #include "oracle/format.hpp"
 
@@ -181,6 +182,7 @@ bool keeps(const Rules& rules, const Operands& operands, Said said) {
 
 Expected expected_of(const Rules& rules, const Operands& operands,
                      const std::optional<Rounded>& rounded) {
+  if (rules.port != nullptr) return {true, result_of(*rules.port, rules.format, operands)};
   if (!rounded) {
     return {rules.no_result != NoResult::any,
             no_result_of(rules.no_result, rules.format, operands, rules.rounding)};
@@ -191,6 +193,7 @@ Expected expected_of(const Rules& rules, const Operands& operands,
 
 bool keeps(const Rules& rules, const Operands& operands, const std::optional<Rounded>& rounded,
            Said said) {
+  if (rules.port != nullptr) return said == result_of(*rules.port, rules.format, operands);
   if (!rounded) return keeps(rules.no_result, rules.format, operands, rules.rounding, said);
   if (rounded->fits) return said == rounded->word;
   return keeps(rules.overflow, rules.format, *rounded, said);

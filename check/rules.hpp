@@ -40,6 +40,8 @@ enum class NoResult : std::uint8_t {
   mirror,     ///< roots only: minus the root of the magnitude, in the subject's rounding
 };
 
+struct PortRule;
+
 struct Rules {
   cases::Operation operation = cases::Operation::mul;  ///< one that is_judged()
   oracle::Rounding rounding = oracle::Rounding::half_up;
@@ -47,6 +49,7 @@ struct Rules {
   NoResult no_result = NoResult::error;
   cases::Format format{};
   cases::Format from = cases::q16_16;  ///< of the operands of convert
+  const PortRule* port = nullptr;      ///< replaces the rules above, but for sorting cases
 };
 
 constexpr bool is_judged(cases::Operation operation) {

@@ -36,11 +36,11 @@ void RuleTrial::add(const JudgedCase& one, bool negative) {
   const auto no_results = no_result_rules(operation_, format_);
   for (std::size_t r = 0; r < rounding_count; ++r) {
     const oracle::Rounding rounding = roundings()[r];
-    const auto rounded = rounded_result(operation_, format_, one.operands(), rounding);
+    const auto rounded = rounded_result(operation_, format_, one.values(), rounding);
     if (!rounded) {
       for (std::size_t i = 0; i < no_results.size(); ++i) {
         score(no_results_.at(r).at(i),
-              keeps(no_results[i], format_, one.operands(), rounding, one.said), one, negative);
+              keeps(no_results[i], format_, one.values(), rounding, one.said), one, negative);
       }
     } else if (rounded->fits) {
       score(in_range_.at(r), one.said == rounded->word, one, negative);

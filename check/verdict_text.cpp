@@ -26,10 +26,11 @@ std::string text_of_operands(const JudgedCase& one, const Rules& rules) {
   }
   std::string hex;
   std::string decimal;
-  for (const std::uint64_t word : std::span(one.words).first(cases::words_in(rules.operation))) {
+  const auto values = one.values().words();
+  for (std::size_t i = 0; i < cases::words_in(rules.operation); ++i) {
     const std::string_view space = hex.empty() ? "" : " ";
-    hex += fmt::format("{}{}", space, hex_text(word, rules.format));
-    decimal += fmt::format("{}{}", space, decimal_text(word, rules.format));
+    hex += fmt::format("{}{}", space, hex_text(one.words.at(i), rules.format));
+    decimal += fmt::format("{}{}", space, decimal_text(values[i], rules.format));
   }
   return fmt::format("{} ({})", hex, decimal);
 }
@@ -85,10 +86,11 @@ std::string common_text(const Judge& judge) {
 std::string text_of(const JudgedCase& one, const Rules& rules) {
   const cases::Operation operation = rules.operation;
   const cases::Format& format = rules.format;
-  const Operands operands = one.operands();
-  const Expected expected = expected_of(rules, operands);
-  const ExactPlace place = exact_place(operation, format, operands);
-  const auto rounded = rounded_result(operation, format, operands, rules.rounding);
+  // A rule of a program takes the words as they are.
+  const Expected expected =
+      expected_of(rules, rules.port != nullptr ? one.operands() : one.values());
+  const ExactPlace place = exact_place(operation, format, one.values());
+  const auto rounded = rounded_result(operation, format, one.values(), rules.rounding);
   const CaseKind kind = place.kind(rounded && !rounded->fits);
   std::string text = fmt::format("case {} ({}): {}: ", support::grouped(one.number),
                                  support::printable(one.origin), text_of_operands(one, rules));
@@ -99,7 +101,7 @@ std::string text_of(const JudgedCase& one, const Rules& rules) {
   if (expected.judged) text += fmt::format("{} expected, ", text_of_said(expected.said, format));
   text += fmt::format("{} said; ", text_of_said(one.said, format));
   if (place.has_result) {
-    text += fmt::format("exact {} ulp, ", exact_text(operation, format, operands));
+    text += fmt::format("exact {} ulp, ", exact_text(operation, format, one.values()));
   }
   return text + std::string(name_of(kind, operation));
 }

@@ -13,6 +13,7 @@
 #include "cli/arguments.hpp"
 #include "cli/case_options.hpp"
 #include "cli/commands.hpp"
+#include "cli/port_option.hpp"
 #include "cli/rule_named.hpp"
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
@@ -28,6 +29,7 @@ struct CheckOptions {
   std::string operation;
   std::string format = "q16_16";
   std::string to;
+  std::string rule;
   std::string rounding;
   std::string overflow;
   std::string divide_by_zero = "de";
@@ -55,11 +57,14 @@ check::Rules rules_of(const CheckOptions& options) {
       variant_in(rules.operation, cases::format_named(options.format), options.to);
   rules.format = variant.format;
   rules.from = variant.from;
+  if (!options.rule.empty()) {
+    return port_rules_named(options.rule, rules.operation, rules.format);
+  }
   if (check::is_rounded(rules.operation)) {
     if (options.rounding.empty()) {
       throw support::UsageError(
-          fmt::format("check {}: --rounding is required; name the rule that results should follow, "
-                      "such as half-up",
+          fmt::format("check {}: --rounding or --rule is required; name the rule that results "
+                      "should follow, such as half-up",
                       options.operation));
     }
     rules.rounding = rule_named("--rounding", options.rounding, check::roundings());
@@ -103,6 +108,10 @@ std::string formats_of(const check::Rules& rules) {
 }
 
 std::string heading(const check::Rules& rules, const std::string& cases) {
+  if (rules.port != nullptr) {
+    return fmt::format("{}{}: {}; cases of {}\n\n", cases::name_of(rules.operation),
+                       formats_of(rules), port_text(*rules.port), cases);
+  }
   const bool rounded = check::is_rounded(rules.operation);
   std::string text =
       fmt::format("{}{}: {}", cases::name_of(rules.operation), formats_of(rules),
@@ -244,7 +253,8 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
       ->capture_default_str();
   command.add_option("--rounding", options.rounding,
                      "expected rounding: half-up, half-away, half-even, floor or toward-zero; "
-                     "required unless results are exact (add, sub, fmod, remainder, to_decimal)");
+                     "required unless there is a --rule or results are exact (add, sub, fmod, "
+                     "remainder, to_decimal)");
   command
       .add_option(
           "--overflow", options.overflow,
@@ -272,6 +282,7 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
           "expected result of from_binary64 of NaN and infinities: de, saturate, symmetric, "
           "maximum, minimum, zero or any")
       ->capture_default_str();
+  add_port_option(command, options.rule, {"--rounding", "--overflow", "--divide-by-zero"});
   add_result_format(command, options.to);
   auto* from = command
                    .add_option("--from", options.from,
@@ -320,6 +331,10 @@ A square root is never a tie, so half-up, half-away and half-even agree. floor a
 agree too, except under mirror, where floor rounds away from zero. Under saturate and
 symmetric, 0 / 0 and NaN may also be 0.
 
+--rule names the program whose routine the results should be those of, for every operand, faults
+included. Those of build are for every format with 32 bits, sign and fraction:
+)" + check::port_rules_text() +
+      R"(
 Exit status: 0 all results are right, 1 a wrong result, 2 bad usage or input, 130 interrupted.
 
 Examples:
@@ -329,6 +344,7 @@ Examples:
   fixproof gen mul --format q1_15 | ./mine | fixproof check mul --format q1_15 --rounding floor
   fixproof gen from_binary64 --format q8_24 | ./mine |
     fixproof check from_binary64 --format q8_24 --rounding half-even --overflow saturate
+  fixproof gen div | ./mine | fixproof check div --rule doom
   fixproof gen add | ./mine | fixproof check add --overflow saturate
   ./mine < few.txt | fixproof check mul --from few.txt --rounding floor --overflow any)");
   command->callback([options, command, &status] {

@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/judge_listing.hpp"
 #include "cli/judge_text.hpp"
+#include "cli/port_option.hpp"
 #include "cli/rule_named.hpp"
 #include "cli/solver_options.hpp"
 #include "judge/clocks.hpp"
@@ -32,6 +33,7 @@ struct JudgeOptions {
   std::string file;
   std::string operation;
   std::string format = "q16_16";
+  std::string rule;
   std::string rounding;
   std::string overflow = "any";
   std::string no_result = "any";
@@ -92,6 +94,9 @@ cases::Variant variant_of(cases::Operation operation, const cases::Format& forma
 }
 
 check::Rules rules_of(const JudgeOptions& options, const cases::Variant& variant) {
+  if (!options.rule.empty()) {
+    return port_rules_named(options.rule, variant.operation, variant.format);
+  }
   check::Rules rules{.operation = variant.operation, .format = variant.format};
   const bool rounds = !is_whole(variant.operation) && check::is_rounded(variant.operation);
   if (!options.rounding.empty()) {
@@ -111,6 +116,9 @@ std::string rules_line(const check::Rules& rules, bool is_open) {
   std::string text =
       fmt::format("{} {}: ", cases::name_of(rules.operation), cases::name_of(rules.format));
   if (is_whole(rules.operation)) return text + "every rule is tried";
+  if (rules.port != nullptr) {
+    return text + fmt::format("{}{}", port_text(*rules.port), is_open ? ", which fits" : "");
+  }
   if (!check::is_rounded(rules.operation)) {
     text += "exact";
   } else {
@@ -259,7 +267,8 @@ int judge_file(const JudgeOptions& options) {
     if (options.clocks) print_clocks(subject);
     return right ? 0 : 1;
   }
-  use.rounding_is_open = options.rounding.empty() && check::is_rounded(operation);
+  use.rounding_is_open =
+      options.rounding.empty() && options.rule.empty() && check::is_rounded(operation);
   const judge::Verdict verdict = judge::judge_routine(subject, use);
   progress.reset();
   std::cout << heading_text(subject, options.file,
@@ -323,6 +332,7 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
                   "--divide-by-zero, --negative-root or --outside-domain of check")
       ->check(not_empty())
       ->capture_default_str();
+  add_port_option(command, options.rule, {"--rounding", "--overflow", "--no-result"});
   add_case_options(command, options.cases);
   command.add_option("--show", options.shown, "number of wrong results to show")
       ->transform(whole_number(0, 1'000'000))
@@ -376,6 +386,7 @@ or input, 130 if interrupted.
 Examples:
   fixproof judge fixmul.asm --as mul --frame 'eax, ebx -> eax' --bits 32
   fixproof judge game.exe --as mul --at 0:1f40 --frame c-far
+  fixproof judge doom.o --symbol FixedDiv --as div --rule doom
   fixproof judge fixed.o --symbol fix_div --as div --rounding toward-zero
   fixproof judge old.com --at 1a0h --as '?' --frame 'dx:ax, cx:bx -> dx:ax'
   fixproof judge demo1.exe --against-listing all --mul-round on --div-round off)");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "check/ports.hpp"
 #include "check/word.hpp"
 
 namespace fixproof::judge {
@@ -94,7 +95,8 @@ std::string rounded_product(Rounding rounding, const cases::Format& format) {
 
 /// Defines `size`, `rest` and `unit`, the magnitudes of the truncated quotient, the remainder and
 /// the divisor, all wide. Also defines `negative`, the sign of the exact quotient, and `faults`,
-/// whether the machine's divide faults. The assertion holds for all quotients of IDIV.
+/// whether the machine's divide faults. The assertions hold for IDIV: a zero divisor faults, and
+/// every quotient has the sign of the exact one.
 std::string quotient_of(Shape shape, bool of_product, const cases::Format& format) {
   const char* divisor = of_product ? "c" : "b";
   std::string text = of_product ? product_of(shape, format) : "";
@@ -113,6 +115,7 @@ std::string quotient_of(Shape shape, bool of_product, const cases::Format& forma
 (define-fun rest () (_ BitVec {1}) (widened (magnitude (srem{0} dividend {{0}}))))
 (define-fun unit () (_ BitVec {1}) (widened (magnitude {{0}})))
 (define-fun faults () Bool (sfault{0} dividend {{0}}))
+(assert (or faults (distinct {{0}} (_ bv0 {0}))))
 (assert (or faults (= (sdiv{0} dividend {{0}}) (_ bv0 {0}))
   (= (bvslt (sdiv{0} dividend {{0}}) (_ bv0 {0})) negative)))
 )",
@@ -186,11 +189,27 @@ std::string overflowed(const check::Rules& rules) {
   }
 }
 
+/// A claim for the operands that pass Doom's comparison, and an end of the range for the others.
+Claim guarded(Claim claim, const cases::Format& format) {
+  const int bits = format.word_bits;
+  claim.definitions += fmt::format(
+      "(define-fun shifted () (_ BitVec {0}) ((_ sign_extend 14) ((_ extract {1} 14) (magnitude "
+      "a))))\n"
+      "(define-fun guarded () Bool (not (bvslt shifted (magnitude b))))\n"
+      "(define-fun end () (_ BitVec {0}) (ite (opposite a b) (_ bv{2} {0}) (_ bv{3} {0})))\n",
+      bits, bits - 1, check::lowest(format), check::highest(format));
+  claim.may_fault = fmt::format("(and (not guarded) {})", claim.may_fault);
+  claim.is_right = fmt::format("(ite guarded (= {{0}} end) {})", claim.is_right);
+  return claim;
+}
+
 }  // namespace
 
 std::optional<Claim> claim_of(const check::Rules& rules, Shape shape) {
   const cases::Format& format = rules.format;
   const int bits = format.word_bits;
+  const bool is_guarded = rules.port != nullptr && rules.port->has_guard;
+  if (rules.port != nullptr && !rules.port->is_general && !is_guarded) return std::nullopt;
   if (!format.is_signed || (bits != 16 && bits != 32)) return std::nullopt;
   if (shape == Shape::of_digits && bits != 32) return std::nullopt;
   const Operation operation = rules.operation;
@@ -239,7 +258,7 @@ std::optional<Claim> claim_of(const check::Rules& rules, Shape shape) {
                   any_overflow    ? std::string("true")
                   : other.empty() ? std::string("false")
                                   : fmt::format("(= {{0}} {})", other));
-  return claim;
+  return is_guarded ? guarded(claim, format) : claim;
 }
 
 }  // namespace fixproof::judge

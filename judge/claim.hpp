@@ -28,8 +28,9 @@ struct Claim {
 };
 
 /// Returns the claim for operands a, b and c. Returns nothing if the operation is not mul, div,
-/// mul_div, add or sub, if the format is unsigned or does not have 16 or 32 bits, or if the rules
-/// need more than the machine's divide tells.
+/// mul_div, add or sub, if the format is unsigned or does not have 16 or 32 bits, if the rules need
+/// more than the machine's divide tells, or if a program's rule differs from the general rules in
+/// more than Doom's guard.
 std::optional<Claim> claim_of(const check::Rules& rules, Shape shape);
 
 }  // namespace fixproof::judge

@@ -36,8 +36,10 @@ class Prover {
   RoutineProof prove() {
     if (!claim_of(rules_, Shape::of_signed)) {
       proof_.why =
-          "only mul, div, muldiv, add and sub of signed words of 16 and 32 bits can be proven, and "
-          "quotients only if --overflow and --no-result are any or de";
+          "only mul, div, muldiv, add and sub of signed words of 16 and 32 bits can be proven, "
+          "quotients only if --overflow and --no-result are any or de, and a --rule only if "
+          "general "
+          "rules express it or it is Doom's";
       return proof_;
     }
     SymbolicRun run = run_symbolically(subject_, listing_, terms_);

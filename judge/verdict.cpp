@@ -44,10 +44,12 @@ check::JudgedCase smallest_from(const Subject& subject, const check::Rules& rule
                                 std::vector<std::uint32_t> words) {
   Runner runner(subject, machine);
   const auto judged = [&](std::span<const std::uint32_t> tried) {
-    return judged_case(subject.variant, tried, runner.answers(tried).front());
+    check::JudgedCase one = judged_case(subject.variant, tried, runner.answers(tried).front());
+    one.read_by(rules);
+    return one;
   };
   if (subject.variant.format.word_bits <= 32) {
-    const check::JudgedCase before = judged(words);
+    check::JudgedCase before = judged(words);
     if (is_right(rules, before)) return before;  // not wrong again: see Verdict::unsteady
     words = verify::shrink(
         std::move(words), subject.variant.format.word_bits,
@@ -119,6 +121,11 @@ Verdict judge_routine(const Subject& subject, const VerdictOptions& options) {
     used = options;
     const auto best = guess.verdict.judge->trial().rounding().rules.front();
     used.rules.rounding = check::roundings()[best];
+    // A program's own rule tells more than a rounding with exceptions.
+    const auto ports = guess.verdict.judge->ports().followed();
+    if (guess.verdict.judge->trial().rounding().first.exceptions.count() > 0 && !ports.empty()) {
+      used.rules = check::rules_of(*ports.front(), used.rules.format);
+    }
   }
   Judging judging{subject, used};
   judging.verdict.rules = used.rules;

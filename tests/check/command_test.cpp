@@ -27,6 +27,31 @@ TEST(CheckCommand, RightResults) {
   expect_contains(run.out, "half-up, half-even or toward-zero on all 2 cases in range");
 }
 
+TEST(CheckCommand, ResultsByTheRuleOfAProgram) {
+  const auto run = check_two("--rule doom", "0003c000\nffffffff\n");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(run.out.starts_with("mul: the rule doom (FixedMul); cases of ")) << run.out;
+  expect_contains(run.out,
+                  "  follows the rule doom, chocolate-doom, build, descent, allegro-i386, "
+                  "allegro-c or allegro-double on all 2 cases\n");
+  const auto other = check_two("--rule rott", "0003c000\nffffffff\n");
+  EXPECT_EQ(other.status, 1) << other.err;
+  expect_contains(other.out,
+                  "ffffffff 00008000 (-0.00002 0.5): 00000000 expected, ffffffff said; ");
+}
+
+// The words are shown as they are, the numbers as the rule reads them.
+TEST(CheckCommand, ARuleThatReadsASignAndAMagnitude) {
+  const ScratchFolder folder;
+  const auto cases = folder.write("cases", "00020000 80008000\n00010000 00010000\n");
+  const auto run =
+      command::fixproof("check mul --rule wolf3d --from " + cases, "ffff0001\n00000000\n");
+  EXPECT_EQ(run.status, 1) << run.err;
+  expect_contains(run.out,
+                  "00020000 80008000 (2 -0.5): ffff0000 expected, ffff0001 said; exact -65536 ulp, "
+                  "exact");
+}
+
 TEST(CheckCommand, WrongResults) {
   const auto run = check_two("--rounding half-away", "0003c000\r\n# a comment\n00000000");
   EXPECT_EQ(run.status, 1) << run.err;
@@ -247,6 +272,11 @@ TEST(CheckCommand, MirroredRootsAreTwoRules) {
 TEST(CheckCommand, OptionsThatAreNone) {
   expect_refused("check", "operation");
   expect_refused("check mul", "--rounding");
+  expect_refused("check mul --rule floom",
+                 "--rule 'floom': for mul in q16_16 choose one of doom, chocolate-doom, build, ");
+  expect_refused("check sqrt --rule doom", "no program has a rule for sqrt in q16_16");
+  expect_refused("check mul --format q8_8 --rule build", "no program has a rule for mul in q8_8");
+  expect_refused("check mul --rule doom --rounding floor", "excludes");
   expect_refused("check concat --rounding floor",
                  "choose mul, div, sqrt, add, sub, from_binary64, ");
   expect_refused("check abs --rounding floor", "unknown operation");

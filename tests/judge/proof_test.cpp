@@ -29,6 +29,48 @@ TEST(JudgeProof, TheListedDivideIsProven) {
   expect(judge(file, "--as|div" + prove), 0, {"PROVEN for all operands (8 paths"});
 }
 
+TEST(JudgeProof, RulesOfProgramsThatGeneralRulesExpressAreProven) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  expect(judge(routine("mul"), judged::in_registers + prove + "|--rule|rott"), 0,
+         {"PROVEN for all operands (1 path"});
+  expect(judge(routine("mul"), judged::in_registers + prove + "|--rule|doom"), 1, {"DISPROVEN ("});
+}
+
+TEST(JudgeProof, TheDivideOfDoomIsProven) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  const std::string divides = "--bits|32|--frame|eax, ebx -> eax|--as|div" + prove;
+  expect(judge(routine("doom_div"), divides + "|--rule|doom"), 0,
+         {"PROVEN for all operands (3 paths"});
+  expect(judge(routine("doom_div"), divides + "|--rule|build"), 1, {"WRONG in", "DISPROVEN ("});
+  // A guard that takes the size of 80000000h for a number above 0, on cases that do not have it.
+  const ScratchFolder folder;
+  const auto cut = folder.write("cut.asm",
+                                "mov ecx, eax\ncdq\nxor eax, edx\nsub eax, edx\nshr eax, 14\n"
+                                "mov esi, eax\nmov eax, ebx\ncdq\nxor eax, edx\nsub eax, edx\n"
+                                "cmp esi, eax\njl .divide\nmov eax, ecx\nxor eax, ebx\ncdq\n"
+                                "mov eax, 0x7fffffff\nxor eax, edx\nret\n.divide:\n"
+                                "mov eax, ecx\ncdq\nshld edx, eax, 16\nshl eax, 16\nidiv ebx\nret");
+  expect(judge(cut, "--bits|32|--frame|eax, ebx -> eax|--as|div|--rule|doom|--cases|20|--prove"), 1,
+         {"AGREES on 20 cases", "DISPROVEN ("});
+}
+
+TEST(JudgeProof, IdivIsProvenFaultsIncluded) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  const ScratchFolder folder;
+  const std::string idiv = "cdq\nshld edx, eax, 16\nshl eax, 16\nidiv ebx\nret";
+  const std::string divides = "--bits|32|--frame|eax, ebx -> eax|--as|div|--rule|build" + prove;
+  expect(judge(folder.write("idiv.asm", idiv), divides), 0, {"PROVEN for all operands (2 paths"});
+  const auto tame =
+      folder.write("tame.asm", "test ebx, ebx\njz .zero\n" + idiv + "\n.zero: mov eax, 1\nret");
+  expect(judge(tame, divides), 1, {"DISPROVEN (", "DE expected, 00000001 said"});
+}
+
+TEST(JudgeProof, ARuleWithoutAClaimIsNamed) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  expect(judge(routine("by_fraction"), "--as|mul|--rule|wolf3d" + prove), 0,
+         {"AGREES on", "NOT PROVEN, only judged by cases: only mul, div, "});
+}
+
 TEST(JudgeProof, OneWrongCaseIn2To32IsFoundByTheProofAlone) {
   if (!command::has("z3")) GTEST_SKIP() << "no z3";
   expect(judge(routine("one_in_4g"),

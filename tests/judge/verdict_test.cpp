@@ -28,6 +28,31 @@ TEST(Judge, FindsTheOperationThatNobodyNamed) {
          {"mul          100.0 % of", "mul q16_16: half-up", "AGREES on 20,000 cases"});
 }
 
+TEST(Judge, FindsTheProgramWhoseRuleFits) {
+  const std::string in_pair = "--bits|32|--frame|eax, ebx -> eax";
+  expect(judge(routine("doom_div"), in_pair + "|--as|?"), 0,
+         {"div q16_16: the rule doom (FixedDiv), which fits", "AGREES on 1,039,204 cases",
+          "follows the rule doom on all 1,039,204 cases"});
+  expect(judge(routine("allegro_div"), in_pair + "|--as|div"), 0,
+         {"div q16_16: the rule allegro-i386 (fixdiv), which fits", "AGREES on 1,039,204 cases"});
+  // A rounding that fits all cases is told first.
+  expect(judge(routine("mul"), in_registers + "|--cases|20000"), 0,
+         {"mul q16_16: half-up, the rounding that fits best",
+          "follows the rule rott on all 20,000 cases"});
+}
+
+TEST(Judge, JudgesByTheRuleOfAProgram) {
+  expect(judge(routine("by_fraction"), "--as|mul|--rule|wolf3d"), 0,
+         {"mul q16_16: the rule wolf3d (FixedByFrac)", "AGREES on 1,039,204 cases",
+          "rounding         toward-zero on all 1,039,204 cases in range"});
+  // A product by a number in two's complement is another one.
+  expect(judge(routine("mul_c"), "--as|mul|--rule|wolf3d|--cases|20000"), 1,
+         {"smallest: 00000002 00004000 (0.00003 0.25): 00000000 expected, 00000001 said"});
+  expect(judge(routine("doom_div"),
+               "--bits|32|--frame|eax, ebx -> eax|--as|div|--rule|chocolate-doom"),
+         1, {"follows the rule doom on all 1,039,204 cases", ": 00000000 expected, DE said"});
+}
+
 TEST(Judge, TiesOfNegativesHaveThatInCommon) {
   expect(judge(routine("ties_of_negatives"), in_registers + "|--rounding|half-up"), 1,
          {"WRONG in 100,538 of 1,039,204 cases",
