@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "x86model/count_clocks.hpp"
+#include "x86model/forms.hpp"
 #include "x86model/text.hpp"
 #include "x86model/with_routine.hpp"
 
@@ -35,17 +36,28 @@ class Recorder {
 
   template <class M>
   void before(std::size_t position, const M& m) {
+    if (run_.lacks_instruction) return;
+    if (!x86::is_modelled(run_.program.instructions()[position], run_.target)) {
+      run_.lacks_instruction = true;
+      stopped_ = position;
+      return;
+    }
     counter_.before(position, m);
   }
   template <class M>
   void operator()(std::size_t position, const M& m) {
+    if (run_.lacks_instruction) return;
     counter_(position, m);
     take(position, m);
   }
 
+  /// Returns the position of the instruction that the processor lacks.
+  [[nodiscard]] std::size_t stopped() const { return stopped_; }
+
  private:
   Run& run_;
   x86::ClockCounter counter_;
+  std::size_t stopped_ = 0;
 };
 
 template <x86::Routine routine>
@@ -55,7 +67,8 @@ void run_recorded(Run& run, std::span<const std::uint32_t> in) {
   Recorder recorder(run);
   recorder.take(0, machine);
   run.ending = x86::run(run.program.instructions(), machine, recorder);
-  if (run.ending.outcome != x86::Outcome::returned) return;
+  if (run.lacks_instruction) run.ending.position = recorder.stopped();
+  if (run.lacks_instruction || run.ending.outcome != x86::Outcome::returned) return;
   run.result.resize(static_cast<std::size_t>(x86::arity(routine).out));
   x86::leave<routine>(machine, run.result);
 }
@@ -68,7 +81,7 @@ bool contains(std::string_view text, std::string_view part) {
 
 std::vector<std::string> builds_of(x86::Routine routine) {
   using enum x86::Routine;
-  if (routine == cossin) return {"i386", "i8088"};
+  if (routine == cossin) return {"i386", "i8088", "i8088-printed"};
   std::vector<std::string> builds{"i386-on", "i386-off", "i8088-on", "i8088-off"};
   if (routine == mul || routine == div || routine == concat) builds.emplace_back("i386-52");
   if (routine == concat) builds.emplace_back("i8088-on-repaired");
@@ -85,7 +98,8 @@ Run record(x86::Routine routine, std::string_view build, std::span<const std::ui
                                .div_rounding = rounds,
                                .chapter_52 = contains(build, "-52"),
                                .endif_as_scanned = contains(build, "-scanned"),
-                               .repaired = contains(build, "-repaired")});
+                               .repaired = contains(build, "-repaired"),
+                               .shl_as_printed = contains(build, "-printed")});
   x86::with_routine(routine, [&]<x86::Routine constant> { run_recorded<constant>(run, in); });
   return run;
 }

@@ -31,12 +31,14 @@ struct Run {
   x86model::Program program{};
   std::vector<Snapshot> snapshots{};  ///< the first is the state on entry
   x86model::Ending ending{};
+  /// Whether the record ends at ending.position because the processor lacks that instruction.
+  bool lacks_instruction = false;
   std::vector<std::uint32_t> result{};  ///< empty unless the routine returned
 };
 
 /// Returns the builds of a routine: `i386-on`, `i386-off`, `i8088-on`, `i8088-off`, and `i386-52`,
-/// `i8088-on-repaired` and `i8088-off-scanned` where they exist. Those of cossin are `i386` and
-/// `i8088`.
+/// `i8088-on-repaired` and `i8088-off-scanned` where they exist. Those of cossin are `i386`,
+/// `i8088` and `i8088-printed`.
 std::vector<std::string> builds_of(x86model::Routine routine);
 
 /// Runs one of builds_of(routine) and records every state.

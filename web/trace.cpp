@@ -25,8 +25,9 @@ constexpr std::array<std::string_view, x86::routine_count> routine_names{"mul", 
 // after state
 std::vector<Run> runs;
 
-std::string_view text_of(x86::Outcome outcome) {
-  switch (outcome) {
+std::string_view ending_of(const Run& run) {
+  if (run.lacks_instruction) return "an 8088 does not have this instruction";
+  switch (run.ending.outcome) {
     case x86::Outcome::returned:
       return "returns";
     case x86::Outcome::divide_error:
@@ -110,8 +111,8 @@ void write_run(Json& json, const Run& run) {
     }
   });
   json.field("steps", run.snapshots.size() - 1);
-  json.field("returns", run.ending.outcome == x86::Outcome::returned);
-  json.field("ending", text_of(run.ending.outcome));
+  json.field("returns", !run.lacks_instruction && run.ending.outcome == x86::Outcome::returned);
+  json.field("ending", ending_of(run));
   json.field("stopped", run.ending.position);
   json.field("clocks", text_of(run.snapshots.back().clocks));
   json.array("result", [&] {

@@ -18,7 +18,7 @@ const number = () => one(["0", "1", "-1", "0.5", "-32768", "32767.99999", "0x800
 const format = () => one(["q16_16", "q8_8", "u0_64", "q1_63", "q32_0", "u0_8", junk()]);
 const routine = () => one(["mul", "div", "cossin", "xformvec", "concat", junk()]);
 const build = () => one(["none", "i386-on", "i386-off", "i8088-on", "i8088-off", "i386-52", "i8088-on-repaired", "i8088-off-scanned",
-  "i386", "i8088", junk()]);
+  "i386", "i8088", "i8088-printed", junk()]);
 const requests = {
   number: () => [format(), number()],
   operation: () => [one(["add", "sub", "mul", "div", "sqrt", junk()]), format(), number(), number()],

@@ -12,7 +12,8 @@ export const sampleOperands = {
 };
 
 const buildName = (name) => name.replace("i", "").replace("-on", ", rounded").replace("-off", ", not rounded")
-  .replace("-52", ", chapter 52").replace("-repaired", ", repaired").replace("-scanned", ", as scanned");
+  .replace("-52", ", chapter 52").replace("-repaired", ", repaired").replace("-scanned", ", as scanned")
+  .replace("-printed", ", as printed");
 
 // The last recorded trace. A change of the routine, a build or the operands records it again.
 let recorded = { key: "", answer: null };
