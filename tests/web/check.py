@@ -129,6 +129,17 @@ def changed(driver, part):
         return [...document.querySelectorAll(arguments[0] + ' .changed')].map((e) => e.textContent.trim())""", part)
 
 
+def memory(driver, kind):
+    """Returns the bytes or words of this kind that each run shows, in order of their addresses."""
+    return driver.execute_script("""
+        return [...document.querySelectorAll('.memory')].map((panel) =>
+          [...panel.querySelectorAll(arguments[0])].map((cell) => cell.textContent.trim().split(' ')[1]))""", kind)
+
+
+def pixels(driver):
+    return memory(driver, "[title=pixel]")
+
+
 def follow(driver, name):
     """Opens a famous case by the keyboard."""
     open_page(driver, "#view=cases")
@@ -193,6 +204,25 @@ def cases(driver):
     driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.ARROW_RIGHT * 2)
     expect_equal([instruction(driver, ".current"), changed(driver, ".registers")],
                  [["imul dword [bx]"], ["eax00000000", "edx00000001"]], "the old x, read again")
+    # The inner loops: registers and pixels of findings 13 to 16 and 21.
+    follow(driver, "SHRD in place of SHLD")
+    expect_equal([instruction(driver, ".current"), changed(driver, ".registers")],
+                 [["shrd ebx, edx, 24", "shld ebx, edx, 24"], ["ebx00123400", "ebx00000012"]], "the depth in BX")
+    follow(driver, "A span without pixels")
+    expect_equal([instruction(driver, ".current"), changed(driver, ".registers")],
+                 [["loop .Pixel", "dec ecx"], ["ecx0000ffff", "ecxffffffff"]], "the count after the first pixel")
+    driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.END)
+    expect(all("still draws" in ending for ending in results(driver)), f"the loops end so: {results(driver)}")
+    follow(driver, "The odd pixel")
+    seven = ["20", "21", "22", "23", "24", "25", "26"]
+    expect_equal(pixels(driver), [seven[:6] + ["00"] * 2, seven + ["00"]], "pixels in pairs and one by one")
+    follow(driver, "The depth test and its description")
+    expect_equal(pixels(driver)[0][:2], ["ff", "00"], "pixels at depth 1 and depth -1")
+    expect_equal(memory(driver, ".depth")[0][:2], ["0001", "0000"], "the depth buffer")
+    follow(driver, "A step before the fetch")
+    expect_equal([instruction(driver, ".current"), changed(driver, ".registers")],
+                 [["add edx, ebp"], ["edx00000200"]], "the step after the fetch")
+    expect_equal(pixels(driver)[0][:2], ["01", "00"], "the texel that is drawn")
     for name in ("Cubes one unit too far away", "Thirty minutes of drift"):
         follow(driver, name)
         frame = "108,000" if "drift" in name else "0"
@@ -201,7 +231,7 @@ def cases(driver):
         expect(1000 < wrong < 76_800, f"{name}: {wrong} pixels differ")
         if "drift" in name:
             picture(driver, "drift")
-    seen = len(operations) + len(traces) + 7
+    seen = len(operations) + len(traces) + 12
     open_page(driver, "#view=cases")
     expect_equal(len(driver.find_elements(By.CSS_SELECTOR, ".cases a")), seen, "cases")
     for said in driver.find_elements(By.CSS_SELECTOR, ".cases p"):
