@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, x86::routine_count> routine_names{"mul", 
 std::vector<Run> runs;
 
 std::string_view ending_of(const Run& run) {
-  if (run.lacks_instruction) return "an 8088 does not have this instruction";
+  if (run.lacks_instruction) return "reaches what an 8088 does not have";
   switch (run.ending.outcome) {
     case x86::Outcome::returned:
       return "returns";

@@ -147,6 +147,7 @@ def follow(driver, name):
         [...document.querySelectorAll('.cases a')].find((a) => a.textContent === arguments[0]).focus()""", name)
     ActionChains(driver).send_keys(Keys.ENTER).perform()
     WebDriverWait(driver, 20).until(lambda d: d.execute_script("return document.documentElement.dataset.drawn") != "cases")
+    WebDriverWait(driver, 20).until(lambda d: d.execute_script("return scrollY") == 0)
 
 
 def builds(driver):
