@@ -25,8 +25,9 @@ constexpr std::array<std::string_view, x86::routine_count> routine_names{"mul", 
 // after state
 std::vector<Run> runs;
 
-std::string_view text_of(x86::Outcome outcome) {
-  switch (outcome) {
+std::string_view ending_of(const Run& run) {
+  if (run.lacks_instruction) return "reaches what an 8088 does not have";
+  switch (run.ending.outcome) {
     case x86::Outcome::returned:
       return "returns";
     case x86::Outcome::divide_error:
@@ -34,7 +35,7 @@ std::string_view text_of(x86::Outcome outcome) {
     case x86::Outcome::undefined_flag:
       return "reads a flag that Intel leaves undefined";
     case x86::Outcome::step_limit:
-      return "does not end";
+      return run.is_loop ? "still draws after 1,000 instructions," : "does not end";
     default:
       return "accesses memory outside its segment";
   }
@@ -65,6 +66,26 @@ std::optional<std::uint32_t> angle_of(std::string_view text) {
   return static_cast<std::uint32_t>(tenths) & 0xFFFFU;
 }
 
+std::string wrong_number(std::string_view name, std::size_t wanted, std::size_t given) {
+  return std::string(name) + " takes " + std::to_string(wanted) +
+         (wanted == 1 ? " number, not " : " numbers, not ") + std::to_string(given) + ".";
+}
+
+/// Returns an operand as a word of a format, or 0.
+/// @param error receives what is wrong with it; unchanged if it is right
+std::uint32_t word_of(std::string_view part, std::string_view format_name, std::string& error) {
+  const NumberFormat& format = *format_named(format_name);
+  const Operand operand = operand_of(part, format);
+  const auto word = operand.error.empty() ? format.read(operand.decimal).word : std::nullopt;
+  if (!word) {
+    error = std::string(part) + ": " +
+            (operand.error.empty()
+                 ? "out of the range of " + std::string(format_name) + ", " + range_of(format) + "."
+                 : operand.error);
+  }
+  return static_cast<std::uint32_t>(word.value_or(0));
+}
+
 /// Returns the operands as words.
 /// @param error receives what is wrong with them; unchanged if they are right
 std::vector<std::uint32_t> operands_of(x86::Routine routine, std::string_view text,
@@ -73,12 +94,9 @@ std::vector<std::uint32_t> operands_of(x86::Routine routine, std::string_view te
   const auto wanted = static_cast<std::size_t>(x86::arity(routine).in);
   std::vector<std::uint32_t> words;
   if (parts.size() != wanted) {
-    error = std::string(routine_names.at(static_cast<std::size_t>(routine))) + " takes " +
-            std::to_string(wanted) + (wanted == 1 ? " number, not " : " numbers, not ") +
-            std::to_string(parts.size()) + ".";
+    error = wrong_number(routine_names.at(static_cast<std::size_t>(routine)), wanted, parts.size());
     return words;
   }
-  const NumberFormat& format = *format_named("q16_16");
   for (const std::string_view part : parts) {
     if (routine == x86::Routine::cossin) {
       const auto angle = angle_of(part);
@@ -86,23 +104,38 @@ std::vector<std::uint32_t> operands_of(x86::Routine routine, std::string_view te
       words.push_back(angle.value_or(0));
       continue;
     }
-    const Operand operand = operand_of(part, format);
-    const auto word = operand.error.empty() ? format.read(operand.decimal).word : std::nullopt;
-    if (!word) {
-      error = std::string(part) + ": " +
-              (operand.error.empty() ? "out of the range of q16_16, " + range_of(format) + "."
-                                     : operand.error);
-    }
-    words.push_back(static_cast<std::uint32_t>(word.value_or(0)));
+    words.push_back(word_of(part, "q16_16", error));
   }
   return words;
+}
+
+/// Returns the operands of an inner loop.
+/// @param error receives what is wrong with them; unchanged if they are right
+x86::LoopCall loop_operands_of(std::string_view loop, std::string_view text, std::string& error) {
+  const auto parts = parts_of(text);
+  const std::size_t wanted = loop == "texture" ? 5 : 3;
+  x86::LoopCall call;
+  if (parts.size() != wanted) {
+    error = wrong_number(loop, wanted, parts.size());
+    return call;
+  }
+  const char* const end = parts[0].data() + parts[0].size();
+  const auto [stop, problem] = std::from_chars(parts[0].data(), end, call.pixels);
+  if (problem != std::errc() || stop != end || call.pixels > most_pixels) {
+    error = "The number of pixels is a whole number, 0 to " + std::to_string(most_pixels) + ".";
+    return call;
+  }
+  const std::array into{&call.value, &call.step, &call.row, &call.row_step};
+  for (std::size_t i = 1; i < wanted; ++i) *into.at(i - 1) = word_of(parts[i], "q24_8", error);
+  return call;
 }
 
 void write_run(Json& json, const Run& run) {
   const NumberFormat& format = *format_named("q16_16");
   json.field("name", run.name);
+  json.field("loop", run.is_loop);
   json.array("listing", [&] {
-    for (const x86::Instruction& instruction : run.program.instructions()) {
+    for (const x86::Instruction& instruction : run.code) {
       json.object([&] {
         json.field("text", x86::text_of(instruction));
         if (instruction.label != nullptr) json.field("label", instruction.label);
@@ -110,8 +143,8 @@ void write_run(Json& json, const Run& run) {
     }
   });
   json.field("steps", run.snapshots.size() - 1);
-  json.field("returns", run.ending.outcome == x86::Outcome::returned);
-  json.field("ending", text_of(run.ending.outcome));
+  json.field("returns", !run.lacks_instruction && run.ending.outcome == x86::Outcome::returned);
+  json.field("ending", ending_of(run));
   json.field("stopped", run.ending.position);
   json.field("clocks", text_of(run.snapshots.back().clocks));
   json.array("result", [&] {
@@ -159,12 +192,15 @@ void write_memory(Json& json, const Run& run, const Snapshot& now, const Snapsho
   };
   std::uint32_t lowest = at(now, x86::Register::sp);
   for (const Snapshot& each : run.snapshots) lowest = std::min(lowest, at(each, x86::Register::sp));
-  for (std::size_t i = lowest / 2; i < now.memory.size(); ++i) {
-    json.object([&] {
-      json.field("address", hex(2 * i, 16));
-      json.field("value", hex(now.memory[i], 16));
+  for (std::size_t i = 0; i < now.memory.size(); ++i) {
+    const auto& [address, kind] = run.cells[i];
+    if (kind == Cell::Kind::word && address < lowest) continue;
+    json.object([&, address = address, kind = kind] {
+      json.field("address", hex(address, 16));
+      json.field("value", hex(now.memory[i], kind == Cell::Kind::pixel ? 8 : 16));
       json.field("changed", now.memory[i] != before.memory[i]);
-      json.field("sp", 2 * i == at(now, x86::Register::sp));
+      json.field("sp", kind == Cell::Kind::word && address == at(now, x86::Register::sp));
+      json.field("depth", kind == Cell::Kind::depth);
     });
   }
 }
@@ -180,6 +216,11 @@ std::string routines() {
           json.element(build);
       });
     }
+    for (const std::string_view loop : loop_names) {
+      json.array(loop, [&] {
+        for (const std::string& build : builds_of_loop(loop)) json.element(build);
+      });
+    }
   });
   return json.text();
 }
@@ -188,15 +229,19 @@ std::string trace(std::string_view request) {
   const auto lines = lines_of(request);
   std::string error;
   std::vector<std::uint32_t> words;
-  x86::Routine routine{};
+  x86::LoopCall call;
   if (lines.size() != 4) error = "Choose a routine, builds and operands.";
-  for (std::size_t i = 0; error.empty() && routine_names.at(i) != lines[0]; ++i) {
-    if (i + 1 == routine_names.size()) error = "Choose one of the routines.";
-    routine = static_cast<x86::Routine>(i + 1);
+  const auto* const named = std::find(routine_names.begin(), routine_names.end(), lines[0]);
+  const bool is_loop =
+      std::find(loop_names.begin(), loop_names.end(), lines[0]) != loop_names.end();
+  const auto routine = static_cast<x86::Routine>(named - routine_names.begin());
+  if (error.empty() && named == routine_names.end() && !is_loop) {
+    error = "Choose one of the routines.";
   }
-  if (error.empty()) words = operands_of(routine, lines[3], error);
+  if (error.empty() && is_loop) call = loop_operands_of(lines[0], lines[3], error);
+  if (error.empty() && !is_loop) words = operands_of(routine, lines[3], error);
   if (error.empty()) {
-    const auto builds = builds_of(routine);
+    const auto builds = is_loop ? builds_of_loop(lines[0]) : builds_of(routine);
     const auto is_known = [&](std::string_view name) {
       return std::find(builds.begin(), builds.end(), name) != builds.end();
     };
@@ -212,7 +257,8 @@ std::string trace(std::string_view request) {
     }
     runs.clear();
     for (const std::string_view build : {lines[1], lines[2]}) {
-      if (build != "none") runs.push_back(record(routine, build, words));
+      if (build == "none") continue;
+      runs.push_back(is_loop ? record_loop(lines[0], build, call) : record(routine, build, words));
     }
     json.array("runs", [&] {
       for (const Run& run : runs) json.object([&] { write_run(json, run); });

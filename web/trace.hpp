@@ -1,6 +1,6 @@
 /// @file
-/// Runs of the routines of FIXED.ASM, with every state recorded, so that a person can step
-/// backward.
+/// Runs of the routines of FIXED.ASM and of the inner loops, with every state recorded, so that a
+/// person can step backward.
 #pragma once
 
 #include <string>
@@ -15,7 +15,9 @@ std::string routines();
 /// Records one or two builds of a routine on the same operands.
 /// @param request four lines: routine, first build, second build or `none`, and operands. The
 /// operands are what operand_of() reads in 16.16, separated by spaces or commas. The operand of
-/// cossin is a whole number of tenths of a degree.
+/// cossin is a whole number of tenths of a degree. Those of an inner loop are the number of pixels,
+/// its value and its step, for a texture also a row and its step; all but the first are read
+/// in 24.8.
 /// @return JSON: listings, results, and the first step at which the builds differ; `error` says
 /// what is wrong with the request
 std::string trace(std::string_view request);

@@ -116,6 +116,30 @@ def results(driver):
           [...e.querySelectorAll('.code')].map((c) => c.textContent).join(' ') || e.textContent.trim())""")
 
 
+def instruction(driver, mark):
+    """Returns the instructions with this mark, one of each listing that has one."""
+    return driver.execute_script("""
+        return [...document.querySelectorAll('.listing ' + arguments[0])].map((row) =>
+          row.lastElementChild.textContent.trim().replace(/^[0-9]+ +/, ''))""", mark)
+
+
+def changed(driver, part):
+    """Returns the registers or the words in memory that the last instruction changed."""
+    return driver.execute_script("""
+        return [...document.querySelectorAll(arguments[0] + ' .changed')].map((e) => e.textContent.trim())""", part)
+
+
+def memory(driver, kind):
+    """Returns the bytes or words of this kind that each run shows, in order of their addresses."""
+    return driver.execute_script("""
+        return [...document.querySelectorAll('.memory')].map((panel) =>
+          [...panel.querySelectorAll(arguments[0])].map((cell) => cell.textContent.trim().split(' ')[1]))""", kind)
+
+
+def pixels(driver):
+    return memory(driver, "[title=pixel]")
+
+
 def follow(driver, name):
     """Opens a famous case by the keyboard."""
     open_page(driver, "#view=cases")
@@ -123,6 +147,7 @@ def follow(driver, name):
         [...document.querySelectorAll('.cases a')].find((a) => a.textContent === arguments[0]).focus()""", name)
     ActionChains(driver).send_keys(Keys.ENTER).perform()
     WebDriverWait(driver, 20).until(lambda d: d.execute_script("return document.documentElement.dataset.drawn") != "cases")
+    WebDriverWait(driver, 20).until(lambda d: d.execute_script("return scrollY") == 0)
 
 
 def builds(driver):
@@ -142,7 +167,9 @@ def cases(driver):
         "Halves that split two builds": ["00000000", "ffffffff", "ffffffff", "00000000"],
         "A divisor loses its fraction": ["00008000", "00007fff", "0000ffff", "0000ffff"],
         "One is too small to divide by": ["00010001", "00010001", none, none],
-        "Half a unit, and less": ["00000001", "00000000", "00000001", "00000000"]}
+        "Half a unit, and less": ["00000001", "00000000", "00000001", "00000000"],
+        # Without rounding, half a unit below 160 is one unit below it.
+        "Width, or half the width": ["00a00000", "009fffff", "00a00000", "009fffff"]}
     for name, words in operations.items():
         follow(driver, name)
         expect_equal(builds(driver), words, name)
@@ -158,16 +185,45 @@ def cases(driver):
         driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.END)
         expect_equal(results(driver), words, name)
     follow(driver, "0.5 + 0.5 = 0")
-    current = [e.get_attribute("textContent").split(maxsplit=1)[1].strip()
-               for e in driver.find_elements(By.CSS_SELECTOR, ".current")]
-    expect_equal(current, ["add bp, [si+14]", "adc bp, [si+14]"], "where the carry is lost")
+    expect_equal(instruction(driver, ".current"), ["add bp, [si+14]", "adc bp, [si+14]"], "where the carry is lost")
     picture(driver, "lost_carry")
     follow(driver, "A carry that means nothing")
     expect("undefined" in results(driver)[0], f"the scan ends so: {results(driver)}")
     expect_equal(results(driver)[1], "00014000", "2.5 / 2")
     follow(driver, "Arguments that change")
-    memory = driver.execute_script("return [...document.querySelectorAll('.memory .changed')].map((e) => e.textContent.trim())")
-    expect_equal(memory, ["0058 4000"], "the argument that changes")
+    expect_equal(changed(driver, ".memory"), ["0058 4000"], "the argument that changes")
+    follow(driver, "Minus one, one unit too high")
+    row = cells(driver, "#view", "q16_16")
+    expect_equal([row[1], row[5]], ["ffff0001", "-1"], "the word that the macro makes, and the number below it")
+    follow(driver, "Not an instruction of the 8088")
+    expect_equal([instruction(driver, ".stops"), instruction(driver, ".current")[-1]], [["shl bx, 2"], "shl bx, 1"],
+                 "where the 8088 stops, and the instruction in its place")
+    expect("does not have" in results(driver)[0], f"the printed CosSin ends so: {results(driver)}")
+    follow(driver, "Not in place")
+    expect_equal([instruction(driver, ".current"), changed(driver, ".memory")],
+                 [["mov [di], ecx"], ["009e 0002"]], "the store of the new x")
+    driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.ARROW_RIGHT * 2)
+    expect_equal([instruction(driver, ".current"), changed(driver, ".registers")],
+                 [["imul dword [bx]"], ["eax00000000", "edx00000001"]], "the old x, read again")
+    # The inner loops: registers and pixels of findings 13 to 16 and 21.
+    follow(driver, "SHRD in place of SHLD")
+    expect_equal([instruction(driver, ".current"), changed(driver, ".registers")],
+                 [["shrd ebx, edx, 24", "shld ebx, edx, 24"], ["ebx00123400", "ebx00000012"]], "the depth in BX")
+    follow(driver, "A span without pixels")
+    expect_equal([instruction(driver, ".current"), changed(driver, ".registers")],
+                 [["loop .Pixel", "dec ecx"], ["ecx0000ffff", "ecxffffffff"]], "the count after the first pixel")
+    driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.END)
+    expect(all("still draws" in ending for ending in results(driver)), f"the loops end so: {results(driver)}")
+    follow(driver, "The odd pixel")
+    seven = ["20", "21", "22", "23", "24", "25", "26"]
+    expect_equal(pixels(driver), [seven[:6] + ["00"] * 2, seven + ["00"]], "pixels in pairs and one by one")
+    follow(driver, "The depth test and its description")
+    expect_equal(pixels(driver)[0][:2], ["ff", "00"], "pixels at depth 1 and depth -1")
+    expect_equal(memory(driver, ".depth")[0][:2], ["0001", "0000"], "the depth buffer")
+    follow(driver, "A step before the fetch")
+    expect_equal([instruction(driver, ".current"), changed(driver, ".registers")],
+                 [["add edx, ebp"], ["edx00000200"]], "the step after the fetch")
+    expect_equal(pixels(driver)[0][:2], ["01", "00"], "the texel that is drawn")
     for name in ("Cubes one unit too far away", "Thirty minutes of drift"):
         follow(driver, name)
         frame = "108,000" if "drift" in name else "0"
@@ -176,7 +232,7 @@ def cases(driver):
         expect(1000 < wrong < 76_800, f"{name}: {wrong} pixels differ")
         if "drift" in name:
             picture(driver, "drift")
-    seen = len(operations) + len(traces) + 4
+    seen = len(operations) + len(traces) + 12
     open_page(driver, "#view=cases")
     expect_equal(len(driver.find_elements(By.CSS_SELECTOR, ".cases a")), seen, "cases")
     for said in driver.find_elements(By.CSS_SELECTOR, ".cases p"):

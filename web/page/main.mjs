@@ -51,6 +51,7 @@ addEventListener("hashchange", () => {
   state = stateOf(location.hash);
   reopenScenes();
   draw();
+  scrollTo(0, 0);
 });
 addEventListener("error", (event) => broken(event.error ?? event));
 

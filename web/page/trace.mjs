@@ -1,18 +1,23 @@
-// A routine, instruction by instruction, forward and backward. Two builds go in step.
+// A routine or an inner loop, instruction by instruction, forward and backward. Two builds go in step.
 import { html, nothing } from "../vendor/lit-html.js";
 import { input, problem, select, short } from "./parts.mjs";
 
 export const routineNames = [["mul", "FixedMul"], ["div", "FixedDiv"], ["cossin", "CosSin"], ["xformvec", "XformVec"],
-  ["concat", "ConcatXforms"]];
+  ["concat", "ConcatXforms"], ["gouraud", "Gouraud shading"], ["depth", "Depth test"], ["texture", "Texture"]];
 
 const identity = "1 0 0 0  0 1 0 0  0 0 1 0";
 export const sampleOperands = {
   mul: "-0.5 1.5", div: "2 3", cossin: "300", xformvec: "0.5 0.5 0.5 0  0 -1 0 0  0 0 0 5  1 2 3",
-  concat: `${identity}  ${identity}`,
+  concat: `${identity}  ${identity}`, gouraud: "7 32 1.5", depth: "4 1 0.5", texture: "4 1 1 0 0",
 };
 
-const buildName = (name) => name.replace("i", "").replace("-on", ", rounded").replace("-off", ", not rounded")
-  .replace("-52", ", chapter 52").replace("-repaired", ", repaired").replace("-scanned", ", as scanned");
+// What the operands of an inner loop are.
+const loopOperands = { gouraud: "Pixels, intensity, step", depth: "Pixels, depth, step", texture: "Pixels, column, step, row, step" };
+
+const buildName = (name) => name.replace(/i(?=\d)/, "").replace("-on", ", rounded").replace("-off", ", not rounded")
+  .replace("-52", ", chapter 52").replace("-repaired", ", repaired").replace("-scanned", ", as scanned")
+  .replace("-printed", ", as printed").replace("byte-", "bytes, ").replace("word-", "words, ")
+  .replace("-loop", ", LOOP").replace("-dec-jnz", ", DEC and JNZ");
 
 // The last recorded trace. A change of the routine, a build or the operands records it again.
 let recorded = { key: "", answer: null };
@@ -50,11 +55,11 @@ function runView(run, now) {
     <p class="code">step ${now.step} of ${run.steps}, ${now.clocks} clocks</p>
     <dl class="registers code">${now.registers.map(changing)}</dl>
     <dl class="flags code">${now.flags.map(changing)}</dl>
-    <div class="memory code" tabindex="0" role="region" aria-label="Stack and operands in memory">
-      ${now.memory.map((word) => html`<span class="${word.changed ? "changed" : ""} ${word.sp ? "sp" : ""}"
-        title=${word.sp ? "top of the stack" : ""}>${word.address} ${word.value}</span>`)}</div>
+    <div class="memory code" tabindex="0" role="region" aria-label=${run.loop ? "Pixels and depths" : "Stack and operands in memory"}>
+      ${now.memory.map((word) => html`<span class="${word.changed ? "changed" : ""} ${word.sp ? "sp" : ""} ${word.depth ? "depth" : ""}"
+        title=${word.sp ? "top of the stack" : word.depth ? "depth" : run.loop ? "pixel" : ""}>${word.address} ${word.value}</span>`)}</div>
     <p class="ending">${!ended ? "" : run.returns
-      ? html`Returns ${run.result.map((r) => html`<span class="code">${r.word}</span> (${short(r.value, 24)}) `)}`
+      ? html`Returns${run.loop ? "." : " "}${run.result.map((r) => html`<span class="code">${r.word}</span> (${short(r.value, 24)}) `)}`
       : html`<strong>${run.ending}</strong> at instruction ${run.stopped}`}</p>
   </article>`;
 }
@@ -82,7 +87,7 @@ export function traceView(module, state, update) {
       ${select("Routine", state.routine, routineNames, chooseRoutine)}
       ${select("Build", state.build, named, (build) => update({ build, step: "0" }))}
       ${select("Beside", state.beside, [["none", "nothing"], ...named], (beside) => update({ beside, step: "0" }))}
-      ${input("Operands", state.operands, (operands) => update({ operands, step: "0" }))}
+      ${input(loopOperands[state.routine] ?? "Operands", state.operands, (operands) => update({ operands, step: "0" }))}
     </div>
     ${problem(error)}
     ${answer ? html`
