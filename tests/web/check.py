@@ -198,6 +198,10 @@ def cases(driver):
     follow(driver, "Not an instruction of the 8088")
     expect_equal([instruction(driver, ".stops"), instruction(driver, ".current")[-1]], [["shl bx, 2"], "shl bx, 1"],
                  "where the 8088 stops, and the instruction in its place")
+    expect(driver.execute_script("""
+        const list = document.querySelector('.listing');
+        const row = list.querySelector('.stops');
+        return row.offsetTop >= list.scrollTop && row.offsetTop + row.offsetHeight <= list.scrollTop + list.clientHeight"""), "the instruction where it stops is out of sight")
     expect("does not have" in results(driver)[0], f"the printed CosSin ends so: {results(driver)}")
     follow(driver, "Not in place")
     expect_equal([instruction(driver, ".current"), changed(driver, ".memory")],

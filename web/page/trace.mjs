@@ -106,7 +106,7 @@ export function traceView(module, state, update) {
 // Scrolls the listing, but not the page, to keep the current instruction in sight.
 export function afterTrace() {
   for (const list of document.querySelectorAll(".listing")) {
-    const row = list.querySelector(".stops, .current");
+    const row = list.querySelector(".stops") ?? list.querySelector(".current");
     if (!row) list.scrollTop = 0;
     else if (row.offsetTop < list.scrollTop || row.offsetTop + row.offsetHeight > list.scrollTop + list.clientHeight) {
       list.scrollTop = row.offsetTop - list.clientHeight / 2;
