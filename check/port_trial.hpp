@@ -9,14 +9,15 @@
 
 namespace fixproof::check {
 
+/// Compares the results of a subject with every named rule of an operation in a format.
 class PortTrial {
  public:
   PortTrial(cases::Operation operation, const cases::Format& format);
 
-  /// Adds a case of the operation, with its words as the subject read them.
+  /// Adds a case of the operation, with its words as the subject reads them.
   void add(const JudgedCase& one);
 
-  /// Returns the rules without an exception; none if there are no cases.
+  /// Returns the rules that agree with every case, or none if there are no cases.
   [[nodiscard]] std::vector<const PortRule*> followed() const;
 
  private:

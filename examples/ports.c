@@ -1,12 +1,12 @@
-/* Ports of the fixed-point routines of games and of Allegro, in C that is defined for all operands,
-   as subjects of `fixproof check --rule`. docs/ports.md says what they keep. usage: ports RULE
-   OPERATION, with the cases of the operation on standard input. */
+/* usage: ports RULE OPERATION: reads cases of `fixproof gen OPERATION`, and writes the results of a
+   port for `fixproof check OPERATION --rule RULE`. These are the fixed-point routines of games and of
+   Allegro, in C that is defined for all operands. docs/ports.md describes the rules. */
 #include <inttypes.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
-/* Most functions below return their result in 64 bits, or this for a divide error. */
+/* A divide error. All other results fit 32 bits. */
 #define DE INT64_MAX
 
 static int64_t wrapped(uint64_t x) { return (int32_t)(uint32_t)x; }
@@ -38,7 +38,7 @@ static int64_t divided(int64_t a, int64_t b) {
   return x < INT32_MIN || x > INT32_MAX ? DE : x;
 }
 
-/* Doom. The size of the lowest number is itself there, and below all others. */
+/* Doom. abs() of the lowest number is that number, which is below all others. */
 static int64_t doom_size(int64_t x) { return x == INT32_MIN ? x : size(x); }
 static int64_t guarded(int64_t a, int64_t b) {
   if (doom_size(a) >> 14 >= doom_size(b)) return (a ^ b) < 0 ? INT32_MIN : INT32_MAX;

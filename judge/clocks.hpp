@@ -1,5 +1,5 @@
 /// @file
-/// The clocks of a user's routine on the processors that have a table.
+/// The clocks of a user's routine on the processors whose clocks Intel's tables give.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace fixproof::judge {
 
-/// A number per call over several calls; two numbers where a table has a range.
+/// The least, mean and most of a number over several calls. It has two means if a table has a range.
 class Spread {
  public:
   void add(x86model::Range one);
@@ -32,25 +32,27 @@ class Spread {
   x86model::Range sum_;
 };
 
-/// From the first instruction of the routine to its return, without the caller's CALL.
+/// What the calls of a routine take, from its first instruction to its return. The caller's CALL does
+/// not count.
 struct RoutineClocks {
   struct OnCpu {
     x86model::Cpu cpu = x86model::Cpu::i8088;
     Spread clocks;
-    /// Instructions that ran and have no figure, in the order of their addresses: then `clocks` is
-    /// empty.
+    /// Instructions that ran and have no figure, in the order of their addresses. If there are any,
+    /// `clocks` is empty.
     std::vector<Line> without{};
-    bool is_too_wide = false;  ///< one of them is for a 386
+    bool is_too_wide = false;  ///< whether one of them needs a 386
   };
-  std::uint64_t calls = 0;  ///< that returned
+  std::uint64_t calls = 0;  ///< only those that returned
   Spread instructions;
   Spread code_bytes;  ///< of the executed instructions
-  Spread data_bytes;  ///< read and written, the stack too
+  Spread data_bytes;  ///< read and written, including those of the stack
   std::array<OnCpu, x86model::cpu_count> on{};
 };
 
-/// Counts over the calls that inspect() looks at. Needs Unicorn and ndisasm.
-/// @throws support::UsageError if ndisasm cannot be run; proof::Stopped
+/// Counts the calls that inspect() looks at. Needs Unicorn and ndisasm.
+/// @throws support::UsageError if ndisasm cannot be run
+/// @throws proof::Stopped if the user interrupts
 RoutineClocks count_clocks(const Subject& subject);
 
 }  // namespace fixproof::judge

@@ -11,12 +11,12 @@
 
 namespace fixproof::judge {
 
-/// A routine of a user's code beside a listing.
+/// What a comparison of a routine of a user's code with a listing finds.
 struct ListingComparison {
-  /// One instruction of both; empty where it is only in the other.
+  /// An instruction of each. A text is empty if its side has none in this place.
   struct Difference {
-    std::size_t number = 0;  ///< of the listing's instruction, from 1
-    std::uint32_t at = 0;    ///< offset of the code's instruction, or of what stands in its place
+    std::size_t number = 0;  ///< of the instruction in the listing, from 1
+    std::uint32_t at = 0;    ///< offset of the instruction in the code, or of the next one there
     std::string listed{};
     std::string found{};
   };
@@ -31,30 +31,30 @@ struct ListingComparison {
 };
 
 /// Compares the routine at `start` of the code with the listing at `listed_at`, which ends with its
-/// first RET. Beyond the canonical text it compares the routines that both call, and whether all
-/// reads of a table find it at one place.
+/// first RET. Beyond the canonical text, it compares the routines that both call, and checks that
+/// all reads of a table agree on its place.
 ListingComparison compare_listing(Code& listing, std::uint32_t listed_at, Code& code,
                                   std::uint32_t start);
 
-/// A part of the code, from `first` to before `end`.
+/// A part of the code, from `first` up to but not including `end`.
 struct Range {
   std::uint32_t first = 0;
   std::uint32_t end = 0;
 };
 
-/// Finds every place in the range where the code is a listing's first routine.
-/// @throws proof::Stopped
+/// Finds every place in the range where the code is the first routine of a listing.
+/// @throws proof::Stopped if the user interrupts the search
 std::vector<ListingComparison> find_listing(Code& listing, Code& code, Range range);
 
-/// Finds the place with the fewest differences. At least half of the listing's instructions must be
-/// there.
-/// @param taken parts of the code that are something else
-/// @throws proof::Stopped
+/// Finds the place with the fewest differences. Three of the first six instructions must be those
+/// of the listing, and at most half as many may differ as the listing has.
+/// @param taken parts of the code that are other listings
+/// @throws proof::Stopped if the user interrupts the search
 std::optional<ListingComparison> find_nearest(Code& listing, Code& code, Range range,
                                               const std::vector<Range>& taken);
 
-/// Returns the table that a listing assembled for offset 0 reads, which is the rest of it from the
-/// first place that it reads; empty if it reads none.
+/// Returns the table that a listing reads: its bytes from the lowest address that it reads to its
+/// end, or nothing if it reads no table. The listing must be assembled for offset 0.
 std::string table_of(Code& listing);
 
 }  // namespace fixproof::judge

@@ -32,7 +32,7 @@ export const cases = [
   { name: "Minus one, one unit too high", finding: 5, state: { view: "number", text: "0xffff0001", format: "q16_16" },
     says: "A macro makes constants: it scales, adds 0.5 and converts to an integer, and C truncates toward zero. So −1.0 becomes ffff0001, which is not −1 but the next number above it; see the column “next below”. Type -1 to see ffff0000, the word that the type makes." },
   { name: "Not an instruction of the 8088", finding: 8, state: { view: "trace", routine: "cossin", build: "i8088-printed", beside: "i8088", operands: "1", step: "differs" },
-    says: "CosSin scales its table index with SHL BX,2, in the code for the 8088, too. An 8088 shifts only by one or by CL, so the trace of the printed routine stops at that instruction. The other one shifts twice by one, which leaves the same value in BX: step on and watch." },
+    says: "CosSin scales its table index with SHL BX,2, even in the code for the 8088. An 8088 shifts only by one or by CL, so the trace of the printed routine stops at that instruction. The other one shifts twice by one, which leaves the same value in BX: step on and watch." },
   { name: "Not in place", finding: 9, state: { view: "trace", routine: "xformvec", build: "i386-on", beside: "none", operands: "0 1 0 0  1 0 0 0  0 0 1 0  1 2 3", step: "27" },
     says: "This transform swaps x and y, and XformVec has just stored the new x, 2. Two steps on, IMUL reads the old x again for the next row. If both were in one place, it would read 2 there, and (1, 2, 3) would become (2, 2, 3)." },
   { name: "Width, or half the width", finding: 20, state: { view: "operation", op: "mul", in: "q16_16", a: "0xffff8000", b: "0xfec00001" },
