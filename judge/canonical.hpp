@@ -1,7 +1,7 @@
 /// @file
-/// Machine code as canonical text, which depends neither on addresses nor on the choice of encodings.
-/// Routines with equal texts are the same, except that they may call other routines and read other
-/// entries of a table. docs/originals.md defines the text.
+/// Machine code as canonical text, which does not depend on NOPs, addresses or the choice of
+/// encodings. Routines with equal texts are otherwise the same, except that they may call other
+/// routines and read other entries of a table. docs/originals.md defines the text.
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@
 
 namespace fixproof::judge {
 
-/// The least, mean and most of a number over several calls. It has two means if a table has a range.
+/// The least, mean and most of a number over several calls. A table with a range gives two means.
 class Spread {
  public:
   void add(x86model::Range one);
@@ -32,8 +32,8 @@ class Spread {
   x86model::Range sum_;
 };
 
-/// What the calls of a routine take, from its first instruction to its return. The caller's CALL does
-/// not count.
+/// What the calls of a routine take, from its first instruction to its return, without the caller's
+/// CALL.
 struct RoutineClocks {
   struct OnCpu {
     x86model::Cpu cpu = x86model::Cpu::i8088;
