@@ -30,7 +30,7 @@ Judge::Judge(const Rules& rules, std::size_t max_shown)
 }
 
 void Judge::add(const JudgedCase& one) {
-  if (rules_.port == nullptr) return add_read(one);
+  if (rules_.port == nullptr || !rules_.port->has_signed_fraction) return add_read(one);
   JudgedCase read = one;
   read.read_by(rules_);
   add_read(read);

@@ -51,7 +51,7 @@ class Judge {
   [[nodiscard]] const std::optional<Curve>& curve() const { return curve_; }
 
  private:
-  /// Adds a case whose `read` is set.
+  /// Adds a case, with `read` set if the rule needs it.
   void add_read(const JudgedCase& one);
 
   Rules rules_;

@@ -353,9 +353,12 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
           "00020000'")
       ->check(not_empty());
   options.listing.add_to(command);
+  CLI::Option* const against = command.get_option("--against-listing");
   for (const char* name :
-       {"--as", "--frame", "--symbol", "--bits", "--prove", "--clocks", "--list", "--trace"}) {
-    command.get_option("--against-listing")->excludes(command.get_option(name));
+       {"--as", "--frame", "--symbol", "--bits", "--prove", "--clocks", "--list", "--trace",
+        "--format", "--rounding", "--overflow", "--no-result", "--rule", "--cases", "--level",
+        "--seed", "--shard", "--show", "--timeout"}) {
+    against->excludes(command.get_option(name));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <utility>
@@ -32,16 +33,19 @@ judge::Code code_of(const ProgramKey& key) {
 /// The listings that the options name, in the order of FIXED.ASM for `all`.
 std::vector<ProgramKey> keys_of(const ListingOptions& options) {
   std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
   for (const std::string& name : options.routines) {
     if (name != "all") {
-      names.push_back(name);
+      add(name);
       continue;
     }
-    names.insert(names.end(), {"mul", "div"});
+    add("mul");
+    add("div");
     // Chapter 52 has the others in C.
-    if (!options.variant.chapter_52.value_or(false)) {
-      names.insert(names.end(), {"cossin", "xformvec", "concat"});
-    }
+    if (options.variant.chapter_52.value_or(false)) continue;
+    for (const char* other : {"cossin", "xformvec", "concat"}) add(other);
   }
   std::vector<ProgramKey> keys;
   for (const std::string& name : names) {
@@ -91,6 +95,10 @@ class Search {
   [[nodiscard]] std::string text() const {
     if (is_exact_) return fmt::format("the routine at {}", offset_text(range_.first));
     return fmt::format("bytes {} to {}", offset_text(range_.first), offset_text(range_.end));
+  }
+  /// Tells whether these bytes of the file are in the range.
+  [[nodiscard]] bool contains(std::size_t at, std::size_t bytes) const {
+    return range_.first <= at && at <= range_.end && bytes <= range_.end - at;
   }
   /// Returns how many of the bytes are known, if a range was given.
   [[nodiscard]] std::string share_text(std::uint64_t bytes) const {
@@ -216,7 +224,7 @@ int judge_against_listings(const std::string& file, const std::string& at,
     const Sought& one = all.emplace_back(seek(key, code, search));
     if (one.is_confirmed()) {
       ++confirmed;
-      bytes += one.table.size();
+      if (search.contains(one.table_at, one.table.size())) bytes += one.table.size();
     }
     for (const ListingComparison& place : one.places) {
       taken.push_back({place.start, place.end});

@@ -1,6 +1,7 @@
 /* usage: ports RULE OPERATION: reads cases of `fixproof gen OPERATION`, and writes the results of a
    port for `fixproof check OPERATION --rule RULE`. These are the fixed-point routines of games and of
-   Allegro, in C that is defined for all operands. docs/ports.md describes the rules. */
+   Allegro, in C without undefined behavior for any operands; the compiler must shift negative numbers
+   arithmetically, as all common ones do. docs/ports.md describes the rules. */
 #include <inttypes.h>
 #include <stdbool.h>
 #include <stdio.h>

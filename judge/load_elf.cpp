@@ -18,7 +18,8 @@ constexpr std::uint32_t origin = 0x1000;
 /// More than there is room for; sections of a damaged file may add up to any
 /// size.
 constexpr std::size_t max_code_bytes = 0x100000;
-constexpr std::size_t longest_name = 1024;
+/// Names of C++ may be long. A damaged file may have any.
+constexpr std::size_t longest_name = 65536;
 
 class Object {
  public:
@@ -68,7 +69,10 @@ class Object {
     for (std::uint64_t i = std::uint64_t{strings.sh_offset} + offset;; ++i) {
       const char c = at<char>(i);
       if (c == '\0') return text;
-      if (text.size() == longest_name) throw damaged();
+      if (text.size() == longest_name) {
+        throw UsageError(
+            fmt::format("a name in the ELF file has more than {} characters", longest_name));
+      }
       text += c;
     }
   }

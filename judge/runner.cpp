@@ -9,9 +9,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A call that takes longer counts as endless. Most take microseconds; Unicorn has its own limit,
-/// too.
-constexpr milliseconds time_of_case{1000};
+/// A call that takes longer counts as endless. Most take microseconds, but a busy machine may not
+/// run the process for a second. Unicorn has its own limit, too.
+constexpr milliseconds time_of_case{3000};
 constexpr std::size_t cases_of_batch = 4096;
 
 /// Unicorn maps 1 GiB for translated code. The rest is for replies.

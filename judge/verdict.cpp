@@ -121,9 +121,13 @@ Verdict judge_routine(const Subject& subject, const VerdictOptions& options) {
     used = options;
     const auto best = guess.verdict.judge->trial().rounding().rules.front();
     used.rules.rounding = check::roundings()[best];
-    // A program's own rule tells more than a rounding with exceptions.
+    // A program's own rule tells more than a rounding with exceptions, unless the user says what to
+    // expect of an overflow or without a result.
     const auto ports = guess.verdict.judge->ports().followed();
-    if (guess.verdict.judge->trial().rounding().first.exceptions.count() > 0 && !ports.empty()) {
+    const bool is_open =
+        used.rules.overflow == check::Overflow::any && used.rules.no_result == check::NoResult::any;
+    if (is_open && guess.verdict.judge->trial().rounding().first.exceptions.count() > 0 &&
+        !ports.empty()) {
       used.rules = check::rules_of(*ports.front(), used.rules.format);
     }
   }

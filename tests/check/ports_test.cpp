@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "check/cases.hpp"
 #include "tests/check/port_cases.hpp"
 #include "tests/support/exact.hpp"
@@ -23,9 +25,12 @@ constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
 constexpr int cases = 10'000'000;
 
 const PortRule& rule_of(std::string_view name, Operation operation) {
-  return *std::ranges::find_if(port_rules(), [&](const PortRule& rule) {
+  const auto rules = port_rules();
+  const auto found = std::ranges::find_if(rules, [&](const PortRule& rule) {
     return rule.name == name && rule.operation == operation;
   });
+  if (found == rules.end()) throw std::invalid_argument("no rule " + std::string(name));
+  return *found;
 }
 
 Said word(std::int64_t value) { return static_cast<std::uint32_t>(value); }

@@ -81,6 +81,23 @@ TEST(AgainstListing, AllRoutinesOfAProgramAreFoundInItsRange) {
          {"mul-i386-on: NOT FOUND", "4 of 5 listings confirmed"});
 }
 
+TEST(AgainstListing, TheShareCountsEachByteOfTheRangeOnce) {
+  expect_found(listed("mul"), "mul,mul|--at|0..27", 0,
+               {"1 of 1 listing confirmed, 27 of 27 bytes"});
+  const std::string cossin = command::assemble(listed("cossin"));
+  const ScratchFolder folder;
+  // The table is behind the range.
+  expect(judge(folder.write("code.bin", cossin), "--against-listing|cossin|--at|0..200"), 0,
+         {"1 of 1 listing confirmed, ", " of 200 bytes"});
+}
+
+TEST(AgainstListing, OptionsThatItWouldIgnoreAreRefused) {
+  for (const char* option : {"--rounding|floor", "--format|q8_8", "--cases|5", "--rule|doom"}) {
+    command::expect_usage_error(judge("x", std::string("--against-listing|mul|") + option),
+                                "excludes");
+  }
+}
+
 TEST(AgainstListing, TheProgramOfChapter52HasTwoRoutines) {
   const std::string divide = with_nops(listed("div --chapter 52"), "jns .FDP1");
   expect_found(listed("mul --chapter 52") + "\n        db 0\n" + divide, "all|--chapter|52", 0,

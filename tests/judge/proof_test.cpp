@@ -50,8 +50,11 @@ TEST(JudgeProof, TheDivideOfDoomIsProven) {
                                 "cmp esi, eax\njl .divide\nmov eax, ecx\nxor eax, ebx\ncdq\n"
                                 "mov eax, 0x7fffffff\nxor eax, edx\nret\n.divide:\n"
                                 "mov eax, ecx\ncdq\nshld edx, eax, 16\nshl eax, 16\nidiv ebx\nret");
-  expect(judge(cut, "--bits|32|--frame|eax, ebx -> eax|--as|div|--rule|doom|--cases|20|--prove"), 1,
-         {"AGREES on 20 cases", "DISPROVEN ("});
+  expect(
+      judge(
+          cut,
+          "--bits|32|--frame|eax, ebx -> eax|--as|div|--rule|doom|--cases|20|--timeout|60|--prove"),
+      1, {"AGREES on 20 cases", "DISPROVEN ("});
 }
 
 TEST(JudgeProof, IdivIsProvenFaultsIncluded) {

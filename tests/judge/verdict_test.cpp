@@ -35,6 +35,10 @@ TEST(Judge, FindsTheProgramWhoseRuleFits) {
           "follows the rule doom on all 1,039,204 cases"});
   expect(judge(routine("allegro_div"), in_pair + "|--as|div"), 0,
          {"div q16_16: the rule allegro-i386 (fixdiv), which fits", "AGREES on 1,039,204 cases"});
+  // What the user expects of an overflow counts, whatever program has that rounding.
+  expect(
+      judge(routine("doom_div"), in_pair + "|--as|div|--overflow|de|--no-result|de|--cases|20000"),
+      1, {"WRONG in "});
   // A rounding that fits all cases is told first.
   expect(judge(routine("mul"), in_registers + "|--cases|20000"), 0,
          {"mul q16_16: half-up, the rounding that fits best",

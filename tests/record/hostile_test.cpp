@@ -14,6 +14,7 @@
 #include "support/file.hpp"
 #include "support/usage_error.hpp"
 #include "tests/record/sim.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
@@ -25,17 +26,12 @@ using recorder_test::Plant;
 class Logs : public testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              ("fixproof_record_logs_" + std::string(test->name()));
-    std::filesystem::create_directories(folder_);
     recorder_test::run(a(), 25000, Plant::nothing, 0, {false, 90, 91});
     recorder_test::run(b(), 25000, Plant::operand, 23000, {false, 90, 91});
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string a() const { return folder_ / "a.log"; }
-  std::string b() const { return folder_ / "b.log"; }
+  std::string a() const { return folder_.path("a.log"); }
+  std::string b() const { return folder_.path("b.log"); }
 
   static std::string read(const std::string& path) { return support::read_file(path); }
   static void write(const std::string& path, const std::string& bytes) {
@@ -55,13 +51,13 @@ class Logs : public testing::Test {
       LogFile third(a());
       (void)desync::compare_last_frames(third, second);
     } catch (const support::UsageError& error) {
-      EXPECT_TRUE(std::string(error.what()).starts_with(folder_.string())) << error.what();
+      EXPECT_TRUE(std::string(error.what()).starts_with(folder_.path())) << error.what();
       return true;
     }
     return false;
   }
 
-  std::filesystem::path folder_;
+  ScratchFolder folder_;
 };
 
 TEST_F(Logs, CutAnywhereTheyAreReadToThere) {
@@ -137,7 +133,7 @@ TEST_F(Logs, WhatIsNoLogIsRefused) {
 }
 
 TEST_F(Logs, OfAKilledProgramGoOnToItsLastPage) {
-  const std::string killed = folder_ / "killed.log";
+  const std::string killed = folder_.path("killed.log");
   EXPECT_EXIT(
       {
         const record::log log(killed);
@@ -155,7 +151,7 @@ TEST_F(Logs, OfAKilledProgramGoOnToItsLastPage) {
 }
 
 TEST_F(Logs, ThatCannotBeWrittenDoNotStopTheProgram) {
-  const record::log log((folder_ / "gone" / "x.log").string());
+  const record::log log(folder_.path("gone/x.log"));
   EXPECT_FALSE(log.good());
   recorder_test::real x(1);
   for (int i = 0; i < 100000; ++i) x += 1;

@@ -7,6 +7,7 @@
 
 #include "desync/compare.hpp"
 #include "tests/record/sim.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace {
 
@@ -14,10 +15,9 @@ using namespace fixproof;
 using recorder_test::Plant;
 
 TEST(LongRun, OperationTenToTheEight) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "fixproof_record_long";
-  std::filesystem::create_directories(folder);
-  const std::string a = folder / "a.log";
-  const std::string b = folder / "b.log";
+  const ScratchFolder folder;
+  const std::string a = folder.path("a.log");
+  const std::string b = folder.path("b.log");
   constexpr std::uint64_t turns = 25'100'000;
   constexpr std::uint64_t at = 25'000'000;
   record::full_range full;
@@ -41,7 +41,6 @@ TEST(LongRun, OperationTenToTheEight) {
     // The constant and the turn's own from_raw() come first.
     EXPECT_EQ(found.a.records[*found.a.index].operation, 1 + 4 * at + 1);
   }
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace
