@@ -171,6 +171,12 @@ TEST(JudgeClocks, TestOfMemoryByAConstant) {
   expect_clocks("test byte [0x100], 3\nret", {11 + 6 + 20, 6 + 14, 5 + 13, 2 + 5});
 }
 
+TEST(JudgeClocks, TheSourcesDifferOnMemoryToASegmentRegisterOnA486) {
+  if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
+  expect_clocks("mov es, [0x100]\nret", {8 + 6 + 4 + 20, 5 + 14, 5 + 13, {3 + 5, 9 + 5}});
+  expect_clocks("mov es, ax\nret", {2 + 20, 2 + 14, 2 + 13, 3 + 5});
+}
+
 TEST(JudgeClocks, A386MultipliesByAByteInFewerClocks) {
   if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
   expect_clocks("imul ax, bx, 5\nret", {{}, 21 + 14, {9 + 13, 14 + 13}, {13 + 5, 26 + 5}});
