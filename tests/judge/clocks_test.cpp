@@ -158,6 +158,8 @@ TEST(JudgeClocks, TheSourcesDifferOnSubtractAndOrWithMemoryOnA386) {
                  3 + 2 + 3 + 7 + 7 + 5 + 14,
                  {2 + 2 + 3 + 6 + 6 + 4 + 13, 2 + 2 + 3 + 7 + 7 + 4 + 13},
                  {1 + 1 + 1 + 2 + 3 + 1 + 5, 1 + 1 + 1 + 2 + 3 + 4 + 5}});
+  expect_clocks("or ax, [0x100]\nsbb ax, [0x100]\nxor ax, [0x100]\nret",
+                {3 * (9 + 6 + 4) + 20, 3 * 7 + 14, {3 * 6 + 13, 3 * 7 + 13}, 3 * 2 + 5});
   expect_clocks("push ax\nmov bp, sp\nnop\nand ax, [bp+0]\nadc [bp+0], bl\npop ax\nret",
                 {15 + 2 + 3 + (9 + 9 + 4) + (16 + 9) + 12 + 20,
                  3 + 2 + 3 + 7 + 7 + 5 + 14,
