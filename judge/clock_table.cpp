@@ -8,7 +8,7 @@
 // twice: first from memory, then by a second reader who had not seen the first table, from
 // published copies. The two were compared row by row. The second reader had:
 //   all   HelpPC 2.10 (D. Jurgens, 1991); Microsoft's Assembly Language Help (ALANG.HLP)
-//   8088  M. Abrash, Zen of Assembly Language (1989), appendix A
+//   8088  M. Abrash, Zen of Assembly Language (1989), appendix A; Intel's manual for INC and TEST
 //   286   the figures of Intel's manual in IBMulator's decoder/cycles.cpp
 //   386   80386 Programmer's Reference Manual (1986), chapter 17; MAME's i386/cycles.h
 //   486   MAME; 86Box's codegen_timing_486.c; M. Abrash, Graphics Programming Black Book (1997)
