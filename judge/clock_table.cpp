@@ -4,17 +4,17 @@
 #include <array>
 #include <string_view>
 
-// Intel's figures, for the forms that x86model/clocks.cpp does not have. They were written down
-// twice: first from memory, then by a second reader who had not seen the first table, from
-// published copies. The two were compared row by row. The second reader had:
-//   all   HelpPC 2.10 (D. Jurgens, 1991); Microsoft's Assembly Language Help (ALANG.HLP)
-//   8088  M. Abrash, Zen of Assembly Language (1989), appendix A; Intel's manual for INC and TEST
+// Intel's figures, for the forms that x86model/clocks.cpp does not have. The first reader wrote them
+// from memory. A second one gathered published copies before seeing them, and compared row by row:
+//   all   HelpPC 2.10 (D. Jurgens, 1991)
+//   8088  M. Abrash, Zen of Assembly Language (1989), appendix A
 //   286   the figures of Intel's manual in IBMulator's decoder/cycles.cpp
 //   386   80386 Programmer's Reference Manual (1986), chapter 17; MAME's i386/cycles.h
-//   486   MAME; 86Box's codegen_timing_486.c; M. Abrash, Graphics Programming Black Book (1997)
+//   486   MAME
+// and more copies where these were too few or differed: Microsoft's Assembly Language Help
+// (ALANG.HLP, all four), 86Box's codegen_timing_486.c, M. Abrash, Graphics Programming Black Book.
 // Every figure is in two of them. A range has all figures where they differ and none is an evident
-// misprint. LOOP on a 486 is that of Intel's manual: 7 taken, 6 not; MAME and 86Box have 6 for
-// both.
+// misprint. LOOP on a 486 is 7 taken, 6 not; MAME and 86Box have 6 for both.
 
 namespace fixproof::judge {
 
