@@ -4,8 +4,8 @@
 #include <array>
 #include <string_view>
 
-// Intel's figures, for the forms that x86model/clocks.cpp does not have. The first reader wrote them
-// from memory. A second one gathered published copies before seeing them, and compared row by row:
+// Intel's figures, for the forms that x86model/clocks.cpp does not have. One reader wrote them from
+// memory. A second gathered published copies before seeing them, and compared row by row:
 //   all   HelpPC 2.10 (D. Jurgens, 1991)
 //   8088  M. Abrash, Zen of Assembly Language (1989), appendix A
 //   286   the figures of Intel's manual in IBMulator's decoder/cycles.cpp
