@@ -77,8 +77,9 @@ const Line& Listing::at(std::uint32_t offset) {
 std::string mnemonic_of(const Line& line) {
   std::istringstream words(line.text);
   std::string word;
-  constexpr std::array<std::string_view, 10> prefixes{"rep", "repe", "repne", "lock", "o16",
-                                                      "o32", "a16",  "a32",   "cs",   "ds"};
+  constexpr std::array<std::string_view, 14> prefixes{"rep", "repe", "repne", "lock", "o16",
+                                                      "o32", "a16",  "a32",   "cs",   "ds",
+                                                      "es",  "ss",   "fs",    "gs"};
   while (words >> word && std::find(prefixes.begin(), prefixes.end(), word) != prefixes.end()) {
   }
   return word;

@@ -63,10 +63,14 @@ void count_parts(TimedLine& timed, std::span<const std::uint8_t> bytes, int code
   for (; at < bytes.size() && is_prefix(bytes[at]); ++at) {
     if (bytes[at] == 0x67) wide = !wide;
     timed.has_repeat |= bytes[at] == 0xF2 || bytes[at] == 0xF3;
+    timed.overrides_segment |=
+        (bytes[at] & 0xE7U) == 0x26 || bytes[at] == 0x64 || bytes[at] == 0x65;
+    timed.needs_386 |= bytes[at] >= 0x64 && bytes[at] <= 0x67;
   }
   timed.prefixes = static_cast<int>(at);
   const bool is_long = byte_at(at) == 0x0F;
   if (is_long) ++at;
+  timed.needs_386 |= is_long;  // the table has no 0F of a 286
   const std::uint8_t opcode = byte_at(at++);
   timed.uses_accumulator =
       !is_long && ((opcode >= 0xA0 && opcode <= 0xA3) || (opcode < 0x40 && (opcode & 6U) == 4) ||
@@ -96,15 +100,14 @@ std::vector<std::string> operands_in(const Line& line, const std::string& mnemon
 }
 
 /// Removes a segment override, which operands_of() does not take.
-bool remove_segment(std::string& operand) {
+void remove_segment(std::string& operand) {
   constexpr std::array<std::string_view, 6> names{"cs:", "ds:", "es:", "ss:", "fs:", "gs:"};
   for (const std::string_view name : names) {
     if (const std::size_t at = operand.find(name); at != std::string::npos) {
       operand.erase(at, name.size());
-      return true;
+      return;
     }
   }
-  return false;
 }
 
 unsigned bit_of(const RegisterName& name) {
@@ -121,9 +124,10 @@ bool is_shift(std::string_view m) {
 void add_operand(TimedLine& timed, std::string text, std::span<const std::uint8_t> bytes) {
   if (is_one_of(text, {"cs", "ds", "es", "ss", "fs", "gs"})) {
     timed.shape += 's';
+    timed.needs_386 |= text == "fs" || text == "gs";
     return;
   }
-  timed.overrides_segment |= remove_segment(text);
+  remove_segment(text);
   Line alone;
   alone.text.append("x ").append(text);
   const auto operands = operands_of(alone);
@@ -152,7 +156,8 @@ void add_operand(TimedLine& timed, std::string text, std::span<const std::uint8_
       const std::uint8_t opcode = static_cast<std::size_t>(timed.prefixes) < bytes.size()
                                       ? bytes[static_cast<std::size_t>(timed.prefixes)]
                                       : std::uint8_t{0};
-      timed.shape += counts && (opcode == 0xD0 || opcode == 0xD1) ? '1' : 'i';
+      const bool by_one = counts && (opcode == 0xD0 || opcode == 0xD1);
+      timed.shape += by_one ? '1' : timed.mnemonic == "imul" && opcode == 0x6B ? 'b' : 'i';
       timed.immediate = o.value;
       return;
     }

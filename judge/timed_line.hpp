@@ -17,13 +17,15 @@ struct TimedLine {
   Line line;
   std::string mnemonic;
   /// A letter for each operand: `r` register, `s` segment register, `m` memory, `i` immediate; of a
-  /// shift `1` a count of one in the opcode, `c` CL. `?` for an operand that is none of these.
+  /// shift `1` a count of one in the opcode, `c` CL; of IMUL `b` an immediate byte. `?` for an
+  /// operand that is none of these.
   std::string shape;
   int bits = 0;                     ///< of the first register or memory operand; 0 without one
   int prefixes = 0;                 ///< of any kind
   int components = 0;               ///< as a 386 counts them at the target of a jump
   bool has_repeat = false;          ///< REP, REPE or REPNE
-  bool overrides_segment = false;   ///< of a memory operand
+  bool overrides_segment = false;   ///< by a prefix
+  bool needs_386 = false;           ///< its opcode, a prefix, or FS or GS
   bool uses_accumulator = false;    ///< the short form with AL, AX or EAX
   bool has_displacement = false;    ///< of a memory operand
   std::vector<RegisterName> bases;  ///< of a memory operand, the index too

@@ -34,6 +34,7 @@ enum class Kind : std::uint8_t {
   push,
   pop,
   arithmetic,
+  subtract_or_xor,
   compare,
   neg,
   step,
@@ -69,6 +70,12 @@ constexpr std::array clock_table{
     Row{Kind::arithmetic, Shape::rr, 3, 0, 2, 2, 1},
     Row{Kind::arithmetic, Shape::ri, 4, 0, 3, 2, 1},
     Row{Kind::arithmetic, Shape::rm, 9, 1, 7, 6, 2},
+    Row{Kind::subtract_or_xor, Shape::rr, 3, 0, 2, 2, 1},
+    Row{Kind::subtract_or_xor, Shape::ri, 4, 0, 3, 2, 1},
+    // The 386 manual says 7 to a register and 6 to memory, the reverse of ADD and AND. Tables that
+    // do
+    // not follow it say 6 and 7 for all.
+    Row{Kind::subtract_or_xor, Shape::rm, 9, 1, 7, {6, 7}, 2},
     Row{Kind::compare, Shape::rr, 3, 0, 2, 2, 1},
     Row{Kind::compare, Shape::ri, 4, 0, 3, 2, 1},
     // CMP takes a clock less than ADD on a 286.
@@ -88,6 +95,9 @@ std::optional<Kind> kind_of(Mnemonic op) {
   if (op == Mnemonic::push) return Kind::push;
   if (op == Mnemonic::pop) return Kind::pop;
   if (op == Mnemonic::cmp) return Kind::compare;
+  if (op == Mnemonic::sub || op == Mnemonic::sbb || op == Mnemonic::xor_) {
+    return Kind::subtract_or_xor;
+  }
   if (is_two_operand(op)) return Kind::arithmetic;
   if (op == Mnemonic::neg) return Kind::neg;
   if (is_one_operand(op)) return Kind::step;
