@@ -301,7 +301,8 @@ void add_judge_options(CLI::App& command, JudgeOptions& options) {
       ->check(not_empty())
       ->capture_default_str();
   command
-      .add_option("--at", options.at, "where the routine is: OFFSET, OFFSET..END or SEGMENT:OFFSET")
+      .add_option("--at", options.at,
+                  "where the routine is: OFFSET, OFFSET..END or, in hex, SEGMENT:OFFSET")
       ->check(not_empty());
   command
       .add_option("--symbol", options.symbol,

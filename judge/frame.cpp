@@ -73,6 +73,23 @@ Place place_named(std::string_view text) {
   return place;
 }
 
+/// @throws support::UsageError if two operands or two results share a register
+void expect_registers_of_their_own(const std::vector<Place>& places) {
+  std::uint32_t taken = 0;  // two bits for each register: its two lower bytes
+  for (const Place& place : places) {
+    for (const RegisterName& part : place.parts) {
+      const auto number = static_cast<unsigned>(part.number);
+      const std::uint32_t bytes =
+          part.size == Size::byte ? (number < 4 ? 1U : 2U) << 2 * (number % 4) : 3U << 2 * number;
+      if ((taken & bytes) != 0) {
+        throw UsageError(fmt::format("--frame: {} is named twice; choose another register",
+                                     x86model::name_of(part.number, part.size)));
+      }
+      taken |= bytes;
+    }
+  }
+}
+
 Frame frame_of_registers(std::string_view text, std::size_t arrow) {
   Frame frame{.text = std::string(text), .on_stack = false};
   std::string_view results = text.substr(arrow + 2);
@@ -85,6 +102,8 @@ Frame frame_of_registers(std::string_view text, std::size_t arrow) {
   }
   for (const auto part : split(text.substr(0, arrow), ',')) frame.in.push_back(place_named(part));
   for (const auto part : split(results, ',')) frame.out.push_back(place_named(part));
+  expect_registers_of_their_own(frame.in);
+  expect_registers_of_their_own(frame.out);
   return frame;
 }
 

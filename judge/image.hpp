@@ -21,6 +21,7 @@ struct Image {
   std::vector<std::uint8_t> memory;  ///< everything that the routine can reach
   std::uint32_t first = 0;           ///< linear address of the first byte of the file
   std::uint32_t end = 0;             ///< linear address after its last byte
+  std::uint32_t reserved = 0;        ///< linear address after what an .EXE reserves behind it
   std::uint16_t code_segment = 0;
   std::uint16_t data_segment = 0;  ///< segment of data and stack
   std::uint32_t entry = 0;         ///< offset in the code segment
@@ -41,6 +42,9 @@ struct Image {
     return linear(data_segment, offset);
   }
 };
+
+/// What `container` says of a program in DOS's format with relocations.
+inline constexpr const char* exe_container = "MZ .EXE";
 
 /// Fills the memory outside the file: HLT, so that stray code ends there.
 inline constexpr std::uint8_t unused = 0xF4;

@@ -21,10 +21,9 @@ using support::UsageError;
 constexpr std::size_t max_file_bytes = std::size_t{1} << 20U;
 constexpr std::uint32_t com_origin = 0x100;
 
-/// Reads 0x1f, 1fh or 31.
-std::uint32_t number_in(std::string_view text) {
+/// Reads 0x1f, 1fh or, in base 10, 31.
+std::uint32_t number_in(std::string_view text, int base = 10) {
   std::string_view digits = text;
-  int base = 10;
   if (digits.starts_with("0x") || digits.starts_with("0X")) {
     digits.remove_prefix(2);
     base = 16;
@@ -45,7 +44,7 @@ std::uint32_t number_in(std::string_view text) {
 void enter_at(Image& image, std::string_view at) {
   const Location place = location_named(at);
   if (place.segment) {
-    if (image.container != "MZ .EXE") {
+    if (image.container != exe_container) {
       throw UsageError(
           "--at SEGMENT:OFFSET is for an .EXE; this code has one segment, so write --at OFFSET");
     }
@@ -100,6 +99,7 @@ void find_entry(Image& image, const LoadOptions& options) {
 
 Image entered(Image image, const LoadOptions& options) {
   find_entry(image, options);
+  if (image.container == exe_container) place_stack_of_exe(image);
   const std::uint32_t entry = image.code_at(image.entry);
   if (entry < image.first || entry >= image.end) {
     throw UsageError(fmt::format("the routine at {:x}h is outside the code, {:x}h to {:x}h",
@@ -184,12 +184,14 @@ Location location_named(std::string_view at) {
   std::string_view start = at.substr(0, dots);
   Location place;
   if (const std::size_t colon = start.find(':'); colon != std::string_view::npos) {
-    place.segment = number_in(start.substr(0, colon));
+    place.segment = number_in(start.substr(0, colon), 16);
     start.remove_prefix(colon + 1);
   }
-  place.offset = number_in(start);
+  // A map file has addresses in hex, without a sign of that.
+  const int base = place.segment ? 16 : 10;
+  place.offset = number_in(start, base);
   if (dots != std::string_view::npos) {
-    place.end = number_in(at.substr(dots + 2));
+    place.end = number_in(at.substr(dots + 2), base);
     if (*place.end <= place.offset) throw UsageError("--at: END must be above OFFSET");
   }
   return place;

@@ -14,8 +14,9 @@ namespace fixproof::judge {
 struct LoadOptions {
   std::optional<int> bits{};  ///< 16 or 32; by default what the container implies
   /// The routine: `OFFSET`, `OFFSET..END`, or `SEGMENT:OFFSET` in an .EXE. Numbers are written as
-  /// 0x1f, 1fh or 31. If empty, `symbol` names the routine. Without both, the routine is the start
-  /// of the code, or the only function of an object.
+  /// 0x1f, 1fh or 31; after `SEGMENT:` all are hexadecimal, as in a map file. If empty, `symbol`
+  /// names the routine. Without both, the routine is the start of the code, or the only function of
+  /// an object.
   std::string at{};
   std::string symbol{};
 };
@@ -51,6 +52,9 @@ Image load_bytes(const std::string& path, const std::string& bytes, const LoadOp
 void load_flat(Image& image, const std::string& bytes, std::uint32_t origin);
 /// @throws support::UsageError without the file's name
 void load_exe(Image& image, const std::string& bytes);
+/// Places the stack and the return address, after `--at` has chosen the segment of the code.
+/// @throws support::UsageError without the file's name
+void place_stack_of_exe(Image& image);
 void load_elf(Image& image, const std::string& bytes);
 /// Assembles a source with nasm, which must be on the PATH.
 void load_source(Image& image, const std::string& path);

@@ -18,8 +18,9 @@ constexpr std::uint32_t origin = 0x1000;
 /// More than there is room for; sections of a damaged file may add up to any
 /// size.
 constexpr std::size_t max_code_bytes = 0x100000;
-/// Names of C++ may be long. A damaged file may have any.
-constexpr std::size_t longest_name = 65536;
+/// The names that are read, together. Those of C++ may be long, those of a damaged file of any
+/// length.
+constexpr std::size_t max_name_bytes = std::size_t{1} << 22U;
 
 class Object {
  public:
@@ -64,14 +65,13 @@ class Object {
     return value;
   }
 
-  [[nodiscard]] std::string text_at(const Elf32_Shdr& strings, std::uint32_t offset) const {
+  [[nodiscard]] std::string text_at(const Elf32_Shdr& strings, std::uint32_t offset) {
     std::string text;
     for (std::uint64_t i = std::uint64_t{strings.sh_offset} + offset;; ++i) {
       const char c = at<char>(i);
       if (c == '\0') return text;
-      if (text.size() == longest_name) {
-        throw UsageError(
-            fmt::format("a name in the ELF file has more than {} characters", longest_name));
+      if (name_bytes_++ == max_name_bytes) {
+        throw UsageError("the names in the ELF file have more than 4 MiB");
       }
       text += c;
     }
@@ -140,7 +140,7 @@ class Object {
     }
   }
 
-  [[nodiscard]] std::uint32_t value_of(const Elf32_Shdr& table, std::uint32_t number) const {
+  [[nodiscard]] std::uint32_t value_of(const Elf32_Shdr& table, std::uint32_t number) {
     if (number >= table.sh_size / sizeof(Elf32_Sym)) throw damaged();
     const auto symbol = at<Elf32_Sym>(table.sh_offset + number * sizeof(Elf32_Sym));
     if (symbol.st_shndx == SHN_ABS) return symbol.st_value;
@@ -189,6 +189,7 @@ class Object {
   Image& image_;
   const std::string& bytes_;
   std::vector<Elf32_Shdr> sections_;
+  std::size_t name_bytes_ = 0;
 };
 
 }  // namespace

@@ -43,7 +43,7 @@ void relocate(Image& image, const std::string& bytes, std::size_t table, std::si
 }  // namespace
 
 void load_exe(Image& image, const std::string& bytes) {
-  image.container = "MZ .EXE";
+  image.container = exe_container;
   image.bits = 16;
   image.memory.assign(real_mode_bytes, unused);
   if (bytes.size() < header_bytes) throw UsageError("the .EXE is cut off");
@@ -67,21 +67,33 @@ void load_exe(Image& image, const std::string& bytes) {
   image.code_segment = static_cast<std::uint16_t>(load_segment + word_at(bytes, 0x16));
   image.data_segment = static_cast<std::uint16_t>(load_segment + word_at(bytes, 0x0E));
 
-  // The program's own stack has, from the top, what pointers point to, then the arguments.
-  std::uint32_t top = word_at(bytes, 0x10) & ~1U;
-  if (top < least_stack) top = 0xFF00;
-  image.data = top - data_bytes;
-  image.stack_top = image.data;
+  image.stack_top = word_at(bytes, 0x10) & ~1U;
+  image.reserved = image.end + paragraph * word_at(bytes, 0x0A);
+}
+
+void place_stack_of_exe(Image& image) {
   // The routine returns to the end of its segment, which must be free.
   image.exit = 0x10000 - exit_bytes;
-  const std::uint32_t reserved = image.end + paragraph * word_at(bytes, 0x0A);
-  const std::uint32_t stack_end = image.data_at(top);
   const std::uint32_t exit = image.code_at(image.exit);
-  if (exit < std::max(reserved, stack_end)) {
+  const std::uint32_t segment = image.data_at(0);
+  std::uint32_t top = image.stack_top;
+  if (top < least_stack) {
+    top = 0xFF00;
+    // Both addresses are multiples of 16.
+    if (exit > segment && exit < segment + top) top = exit - segment;
+    if (top < least_stack || segment + top - least_stack < image.end) {
+      throw UsageError("the .EXE has a small stack, and its segment has no room for another one");
+    }
+  }
+  // The stack has, from the top, what pointers point to, then the arguments.
+  image.data = top - data_bytes;
+  image.stack_top = image.data;
+  const bool is_in_stack = exit + exit_bytes > segment && exit < segment + top;
+  if (exit < image.reserved || is_in_stack) {
     throw UsageError(fmt::format(
-        "the .EXE uses all 64 KiB of its code segment; give --at a segment whose last {} bytes are "
-        "free",
-        exit_bytes));
+        "the .EXE uses all 64 KiB of the code segment {:x}h; give --at a segment whose last {} "
+        "bytes are free",
+        image.code_segment - image.first / paragraph, exit_bytes));
   }
 }
 

@@ -65,6 +65,38 @@ TEST(Containers, AnExeThatReadsATableInARelocatedSegment) {
          {"WRONG in ", "USES FOREIGN MEMORY: add eax,[bx] at "});
 }
 
+TEST(Containers, AddressesAfterASegmentAreHexadecimal) {
+  const ScratchFolder folder;
+  const std::string code =
+      std::string(0x1F40, '\x90') + command::assemble("bits 16\ncpu 386\n" + source_of("mul_c"));
+  const auto file = folder.write("game.exe", exe_of(code, {}));
+  for (const char* at : {"0:1f40", "0000:1F40", "1f4:0", "0:1f40h", "0:0x1f40"}) {
+    expect(judge(file, std::string("--at|") + at + "|--as|mul" + few), 0,
+           {"AGREES on 20,000 cases"});
+  }
+}
+
+TEST(Containers, AnExeWithASmallStack) {
+  const ScratchFolder folder;
+  std::string exe = exe_of(
+      std::string(1024, '\x90') + command::assemble("bits 16\ncpu 386\n" + source_of("mul_c")), {});
+  exe.replace(0x10, 2, judged::word(0x100));  // SP
+  expect(judge(folder.write("small.exe", exe), "--at|0:400|--as|mul" + few), 0,
+         {"AGREES on 20,000 cases"});
+}
+
+TEST(Containers, AnExeOfSeveralSegments) {
+  const ScratchFolder folder;
+  // More code than a segment has: the first segment has no room for a return address.
+  const std::string exe = exe_of(
+      std::string(0x18000, '\x90') + command::assemble("bits 16\ncpu 386\n" + source_of("mul_c")),
+      {});
+  const auto file = folder.write("large.exe", exe);
+  expect(judge(file, "--at|1800:0|--as|mul" + few), 0, {"AGREES on 20,000 cases"});
+  command::expect_usage_error(judge(file, "--at|0:0|--as|mul"),
+                              "the .EXE uses all 64 KiB of the code segment 0h");
+}
+
 TEST(Containers, AFarRoutineThatIsCalledNearIsBroken) {
   const ScratchFolder folder;
   const std::string code = command::assemble("bits 16\nimul bx\nretf");
@@ -124,7 +156,8 @@ TEST(Containers, ASmallObjectThatAsksForMuchIsRefused) {
   const std::array<unsigned, 10> names{0, 3, 0, 0, tables + symbols * 16, 60'002, 0, 0, 1, 0};
   const std::string strings =
       std::string(1, '\0') + std::string(60'000, 'x') + std::string(1, '\0');
-  refuse(object_of({code, table_header, names}, table + strings), "the ELF file is damaged");
+  refuse(object_of({code, table_header, names}, table + strings),
+         "the names in the ELF file have more than 4 MiB");
   refuse(object_of(std::vector{code, table_header, names},
                    table + std::string(1, '\0') + "name" + std::string(1, '\0')),
          "choose one of name, name");

@@ -29,10 +29,12 @@ TEST(Frame, ConventionsOfTheStack) {
 
 TEST(Frame, MistakesAreNamed) {
   for (const char* text :
-       {"cdecl", "eax, ebz -> eax", "sp -> ax", "a:b:c -> ax", "[ax:bx] -> ax"}) {
+       {"cdecl", "eax, ebz -> eax", "sp -> ax", "a:b:c -> ax", "[ax:bx] -> ax", "eax, eax -> eax",
+        "dx:dx, cx:bx -> dx:ax", "eax, dx:ax -> eax", "ah, ax -> al", "eax, ebx -> ax:eax"}) {
     EXPECT_THROW(judge::frame_named(text, 32), support::UsageError) << text;
   }
   EXPECT_THROW(judge::frame_named("c-far", 32), support::UsageError);
+  EXPECT_NO_THROW(judge::frame_named("ah:al, bh:bl -> ah:al", 16));
   const cases::Variant mul;
   for (const char* text :
        {"eax -> eax", "ax, bx -> ax", "eax, ebx -> ax", "[si], ebx -> eax:edx"}) {
