@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <boost/dll/shared_library.hpp>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -20,6 +22,7 @@
 #include <vector>
 
 #include "machine_code/guarded_call.hpp"
+#include "support/error_text.hpp"
 #include "support/plain_text.hpp"
 #include "support/sha256.hpp"
 
@@ -30,6 +33,28 @@ namespace {
 using cases::Operation;
 
 constexpr std::string_view array_suffix = "[]";
+
+/// While one exists, exit() is a failure: a function must not end the verification with status 0.
+class Calling {
+ public:
+  Calling() {
+    static const int registered = std::atexit([] {
+      if (running == 0) return;
+      support::write_error("fixproof: a function of a library called exit()\n");
+      std::_Exit(2);
+    });
+    if (registered != 0) throw std::runtime_error("no room for another function at exit");
+    ++running;
+  }
+  ~Calling() { --running; }
+  Calling(const Calling&) = delete;
+  Calling(Calling&&) = delete;
+  Calling& operator=(const Calling&) = delete;
+  Calling& operator=(Calling&&) = delete;
+
+ private:
+  static inline std::atomic<int> running = 0;
+};
 
 /// Calls `one(i)` for every case from `first` on. A case that ends in a fault gets its ending, and
 /// the rest goes on.
@@ -238,6 +263,7 @@ class LibraryFunction final : public Party {
     return is_of_numbers(v.operation) || (!takes_arrays_ && v.format == cases::q16_16);
   }
   void fill(const cases::Variant& v, const Batch& batch) const override {
+    const Calling calling;
     if (!is_of_numbers(v.operation)) return call_routine(address_, v, batch);
     with_word(v.format, [&]<class W>() {
       takes_arrays_ ? call_for_all<W>(address_, v, batch) : call_for_each<W>(address_, v, batch);
