@@ -16,9 +16,9 @@ namespace fixproof::judge {
 struct TimedLine {
   Line line;
   std::string mnemonic;
-  /// A letter for each operand: `r` register, `s` segment register, `m` memory, `i` immediate; of a
-  /// shift `1` a count of one in the opcode, `c` CL; of IMUL `b` an immediate byte. `?` for an
-  /// operand that is none of these.
+  /// A letter for each operand: `r` register, `s` segment register, `m` memory, `i` immediate. A
+  /// shift also has `1` (a count of one in the opcode) and `c` (CL), and IMUL `b` (an immediate
+  /// byte). Any other operand is `?`.
   std::string shape;
   int bits = 0;                     ///< of the first register or memory operand; 0 without one
   int prefixes = 0;                 ///< of any kind

@@ -277,9 +277,9 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
 /// The code takes the root of n = x 2^F < 2^47 in single precision, and corrects it by the
 /// remainder. Let R be the exact root, so R < 2^23.5, let s be the root in single precision, and
 /// let r be s as an integer. Scaling by 2^F is exact. Converting x has a relative error of at most
-/// e, of which the root keeps half, and the root itself adds e. So s is off by less than 1.5 R e,
-/// apart from a little for e^2. The nearest integer is within 1/2 of R, so r is off from it by at
-/// most d if |r - R| + 1/2 < d + 1.
+/// e. The root halves that error and adds e of its own. So s is off by less than 1.5 R e, apart
+/// from a little for e^2. The nearest integer is within 1/2 of R, so r is off from it by at most d
+/// if |r - R| + 1/2 < d + 1.
 ///
 /// AVX-512 rounds to nearest in every mode of the processor, so e = 2^-24. If s >= 2^23, s is an
 /// integer and |r - R| < 1.07. If 2^22 <= s < 2^23, |r - R| < 0.76 + 1/2. If s < 2^22,

@@ -23,7 +23,7 @@ Said word(std::optional<Number> x) {
   return x ? word(*x) : Said();
 }
 
-/// Compares a rule with a type's operation on three numbers, of which it may use two.
+/// Compares a rule with a type's operation. `operate` gets three numbers and may ignore the third.
 template <class Number, class Operate>
 void expect_same(std::string_view name, Operation operation, const Operate& operate) {
   for (const check::PortRule& rule : check::port_rules()) {
