@@ -1,14 +1,11 @@
 #include "tests/vectors/cases.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 
 #include "singlestep/gunzip.hpp"
 #include "support/file.hpp"
 #include "tests/cli/bitwise.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 
 namespace vectors {
@@ -67,10 +64,9 @@ std::uint16_t undefined_flags(const Json& c) {
 }
 
 command::Run judge_text(const std::string& text, std::string_view cpu) {
-  const std::string path = fmt::format("{}/fixproof-{}.json", testing::TempDir(), getpid());
-  std::ofstream(path, std::ios::binary) << text;
+  const ScratchFolder folder;
+  const std::string path = folder.write("cases.json", text);
   auto run = command::fixproof(fmt::format("step --cpu {} --singlestep {}", cpu, path));
-  std::filesystem::remove(path);
   run.out = replaced(run.out, path, "FILE");
   run.err = replaced(run.err, path, "FILE");
   return run;

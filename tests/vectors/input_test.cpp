@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <filesystem>
-
 #include "support/file.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 #include "tests/vectors/cases.hpp"
 
@@ -183,13 +182,13 @@ TEST(SinglestepInput, RefusesDamagedGzip) {
 }
 
 TEST(SinglestepInput, RefusesWhatIsSmallOnlyWhileCompressed) {
-  const std::string path = testing::TempDir() + "/fixproof-spaces.gz";
+  const ScratchFolder folder;
+  const std::string path = folder.path("spaces.gz");
   const std::string spaces = std::string(1U << 20U, ' ');
   auto* const out = gzopen(path.c_str(), "wb9");
   ASSERT_EQ(gzwrite(out, spaces.data(), 1U << 20U), 1 << 20);
   ASSERT_EQ(gzclose(out), Z_OK);
   const std::string mebibyte = fixproof::support::read_file(path);
-  std::filesystem::remove(path);
   std::string bomb;
   for (int i = 0; i < 257; ++i) bomb += mebibyte;
   ASSERT_LT(bomb.size(), 1U << 20U);

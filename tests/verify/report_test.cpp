@@ -435,7 +435,8 @@ TEST(Reports, DifferencesAreNamed) {
 }
 
 TEST(Reports, WithARowThatNobodyComparesAreNotRead) {
-  const std::string file = testing::TempDir() + "fixproof_report_test.json";
+  const ScratchFolder folder;
+  const std::string file = folder.path("report.json");
   const auto read = [&](std::vector<std::string> parties) {
     const cases::Plan plan(1, 5, {{mul, {"model", "fast"}}, {cossin, std::move(parties)}});
     support::replace_file(file, verify::to_json(verify::Report(plan, cases::Shard{}, 3)));
@@ -448,7 +449,6 @@ TEST(Reports, WithARowThatNobodyComparesAreNotRead) {
   EXPECT_EQ(read({"model", "oracle"}), "read 2");
   EXPECT_EQ(read({"oracle"}), file + ": cossin i386 on is not compared");
   EXPECT_EQ(read({}), file + ": cossin i386 on is not compared");
-  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 #include "tests/xsharp/scenes/refusal.hpp"
 #include "xsharp/validate_mesh.hpp"
@@ -88,11 +89,11 @@ TEST(Obj, HasNoZeroByte) {
 }
 
 TEST(Obj, NamesTheFile) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "xsharp_obj_test.obj";
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.path("a.obj");
   const auto read = [&] {
     return refusal([&] { read_obj(file.parent_path(), file.filename().string()); });
   };
-  std::filesystem::remove(file);
   EXPECT_EQ(read(), file.string() + ": there is no such file");
   std::ofstream(file) << "v 0 0 0\n";
   EXPECT_EQ(read(), file.string() + ": the file has no faces");
@@ -100,7 +101,6 @@ TEST(Obj, NamesTheFile) {
   EXPECT_EQ(read(), file.string() + ": the file has no faces");
   std::ofstream(file, std::ios::app) << '\n';
   EXPECT_EQ(read(), file.string() + ": longer than 4 MiB");
-  std::filesystem::remove(file);
   EXPECT_EQ(refusal([] { read_obj("/dev", "zero"); }), "/dev/zero: not a regular file");
 }
 

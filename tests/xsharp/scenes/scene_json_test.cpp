@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 #include "tests/xsharp/scenes/refusal.hpp"
 
@@ -363,14 +364,14 @@ TEST(SceneJson, ASmallTextMakesNoHugeScene) {
 }
 
 TEST(SceneJson, NamesTheFile) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "xsharp_scene_test.json";
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.path("s.json");
   std::ofstream(file) << R"({"objects": [], "projection_ratio": 0})";
   EXPECT_EQ(xsharp_test::refusal([&] { read_scene(file); }),
             file.string() +
-                ": scene 'xsharp_scene_test': projection_ratio is 0, must be from -1000 to -0.01");
+                ": scene 's': projection_ratio is 0, must be from -1000 to -0.01");
   std::ofstream(file) << std::string((1U << 20U) + 1, ' ');
   EXPECT_EQ(xsharp_test::refusal([&] { read_scene(file); }), file.string() + ": longer than 1 MiB");
-  std::filesystem::remove(file);
 }
 
 TEST(SceneJson, OutlivesAnyBytes) {
