@@ -259,7 +259,7 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
       .add_option(
           "--overflow", options.overflow,
           "expected result of an overflow: wrap, saturate, symmetric, maximum, minimum, de or any; "
-          "by default wrap, of functions of real numbers saturate")
+          "by default wrap, or saturate for functions of real numbers")
       ->check(not_empty());
   command
       .add_option(

@@ -110,11 +110,12 @@ void add_eval(CLI::App& app, int& status) {
           "default model for routines, type for other operations")
       ->check(not_empty());
   command
-      ->add_option("--format", options->format,
-                   "format of the words, such as q2_30 or u8_8: add, sub, mul, div, mul_div, sqrt, "
-                   "decimal or binary64, rounded half up and wrapped; fmod and, if signed, "
-                   "remainder; other functions to nearest, in at most 32 bits; by type in named "
-                   "formats, else by oracle")
+      ->add_option(
+          "--format", options->format,
+          "format of the words, such as q2_30 or u8_8. add, sub, mul, div, mul_div, sqrt, "
+          "decimal and binary64 round half up and wrap. fmod and remainder (signed formats) "
+          "are exact. Other functions round to nearest, in at most 32 bits. type answers in "
+          "named formats, oracle in others")
       ->check(not_empty());
   options->variant.add_to(*command);
   command->footer(

@@ -111,7 +111,7 @@ void add_measure(CLI::App& app, int& status) {
                                  "the type under every rounding rule, float and double")
                             ->needs(accuracy);
   CLI::Option* function = add_text("--function", options->request.function,
-                                   "measure this function of docs/functions.md, or all of them")
+                                   "measure this function of docs/functions.md; all for every one")
                               ->needs(accuracy);
   add_text("scene", options->scenes,
            "scene files whose operands are recorded, such as scenes/twelve_cubes.json")
@@ -134,7 +134,7 @@ void add_measure(CLI::App& app, int& status) {
   add_text("--json", options->json, "write the results to this file as JSON");
   command->footer(
       R"(--accuracy compares results with exact integers, by default for 500,000 operands of each kind. With
---format, it takes the formats that fixed/formats.hpp names and no scene, whose operands are 16.16.
+--format, it takes the formats that fixed/formats.hpp names, but no scene: its operands are 16.16.
 With --function, it takes the cases of `fixproof gen` (--cases of them) in 16.16 or a --format, and adds
 the worst operands, and the order and symmetry of the results, as `fixproof check` shows them.
 --clocks counts clocks by Intel's tables and tests the chapters' claims about speed.

@@ -3,8 +3,8 @@
 /// of every format of at most 32 bits.
 ///
 /// Each result is the number nearest to the exact angle, under every policy; there are no ties. A
-/// result out of range, which a format with fewer than three bits before the point can have, throws
-/// an overflow_error under overflow::trap; under every other policy it saturates.
+/// format with fewer than three bits before the point can have results out of range. They throw an
+/// overflow_error under overflow::trap, and saturate under every other policy.
 ///
 /// fixed.hpp does not include this header.
 #pragma once
@@ -69,8 +69,8 @@ template <class Raw, int F, policy P>
   return detail::FIXED_FUNCTIONS::angle_of<number<Raw, F, P>>(y.raw(), x.raw(), "atan2", y, x);
 }
 
-/// The angle whose sine is x, from -pi/2 to pi/2. Unless -1 <= x <= 1 it throws a domain_error
-/// under overflow::trap, and is 0 under every other policy.
+/// The angle whose sine is x, from -pi/2 to pi/2. Outside -1 to 1 it throws a domain_error under
+/// overflow::trap, and is 0 under every other policy.
 ///
 ///     static_assert(asin(q16_16(0.5)).raw() == 34315);  // 34314.6
 template <class Raw, int F, policy P>
@@ -79,7 +79,7 @@ template <class Raw, int F, policy P>
   return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::sine>(x, "asin");
 }
 
-/// The angle whose cosine is x, from 0 to pi. Unless -1 <= x <= 1, as asin().
+/// The angle whose cosine is x, from 0 to pi. Outside -1 to 1, see asin().
 ///
 ///     static_assert(acos(q16_16(-1)) == pi_v<q16_16>);
 template <class Raw, int F, policy P>

@@ -1,6 +1,6 @@
 /// \file
 /// Functions of `<cmath>` that are exact on numbers: remainders, parts, neighbours and signs.
-/// fixed/math.hpp and fixed/trig.hpp have the others.
+/// fixed/math.hpp, exponential.hpp, trigonometry.hpp, angle.hpp and power.hpp have the others.
 #pragma once
 
 #include <cstdint>

@@ -2,10 +2,10 @@
 /// Exponentials, logarithms and hyperbolic functions, correctly rounded for every operand of every
 /// format of at most 32 bits.
 ///
-/// Each result is the number nearest to the exact value, under every policy. A tie, which only exp2
-/// has, is rounded as the policy rounds products if that is to nearest, and up otherwise. A result
-/// out of range throws an overflow_error under overflow::trap; under every other policy it
-/// saturates, because a logarithm or an exponential modulo 2^32 means nothing.
+/// Each result is the number nearest to the exact value, under every policy. Only exp2 has ties. If
+/// the policy rounds products to nearest, ties follow that rule; otherwise they go up. A result out
+/// of range throws an overflow_error under overflow::trap. Under every other policy it saturates,
+/// because a logarithm or an exponential modulo 2^32 means nothing.
 ///
 /// fixed.hpp does not include this header.
 #pragma once
@@ -29,7 +29,8 @@ namespace fixproof {
 
 namespace detail::FIXED_FUNCTIONS {
 
-/// The operand in units of 2^-32, limited to +-64: beyond, every result is out of range or flat.
+/// The operand in units of 2^-32, limited to +-64. Beyond that, every result is out of range or
+/// constant.
 template <class Number>
 constexpr std::int64_t exponent_units(Number x) noexcept {
   static_assert(has_functions<Number>,
@@ -115,7 +116,7 @@ template <class Raw, int F, policy P>
                                                                            "expm1");
 }
 
-/// The natural logarithm. Unless x > 0 it throws a domain_error under overflow::trap, and is the
+/// The natural logarithm. For x <= 0 it throws a domain_error under overflow::trap, and is the
 /// lowest number of the type under every other policy.
 ///
 ///     static_assert(log(q16_16(10)).raw() == 150902);  // 150902.2
@@ -125,7 +126,7 @@ template <class Raw, int F, policy P>
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e>(x, 0, "log");
 }
 
-/// The natural logarithm of 1 + x. Unless x > -1, as log().
+/// The natural logarithm of 1 + x. For x <= -1, see log().
 ///
 ///     static_assert(log1p(q16_16(9)) == log(q16_16(10)));
 template <class Raw, int F, policy P>
@@ -135,7 +136,7 @@ template <class Raw, int F, policy P>
                                                                        "log1p");
 }
 
-/// The logarithm to base 2. Unless x > 0, as log().
+/// The logarithm to base 2. For x <= 0, see log().
 ///
 ///     static_assert(log2(q16_16(0.125)) == -3);
 template <class Raw, int F, policy P>
@@ -144,7 +145,7 @@ template <class Raw, int F, policy P>
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::two>(x, 0, "log2");
 }
 
-/// The logarithm to base 10. Unless x > 0, as log().
+/// The logarithm to base 10. For x <= 0, see log().
 ///
 ///     static_assert(log10(q16_16(1000)) == 3);
 template <class Raw, int F, policy P>

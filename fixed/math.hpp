@@ -65,8 +65,8 @@ template <class Raw, int F, policy P>
       detail::narrow<P.range, Raw>(units, [&] { detail::raise_overflow<F>("ceil", x.raw()); }));
 }
 
-/// The nearest whole number. Ties go as the policy rounds products if that is to nearest, and up
-/// otherwise. The policy handles overflow, which occurs above the highest whole number.
+/// The nearest whole number. If the policy rounds products to nearest, ties follow that rule;
+/// otherwise they go up. The policy handles overflow, which occurs above the highest whole number.
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P>(round)(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
@@ -132,8 +132,8 @@ template <class Raw, int F, policy P>
       [&] { detail::raise_overflow<F>("mul_add", a.raw(), b.raw(), c.raw()); }));
 }
 
-/// a + (b - a) * t, rounded once by policy::multiply: a at t = 0, b at t = 1, and extrapolated for
-/// other t. The policy handles overflow.
+/// a + (b - a) * t, rounded once by policy::multiply: a at t = 0, b at t = 1, and extrapolated
+/// outside 0 to 1. The policy handles overflow.
 ///
 ///     static_assert(lerp(q16_16(-32768), q16_16(32767), q16_16(0.5)) == q16_16(-0.5));
 template <class Raw, int F, policy P>

@@ -1,10 +1,10 @@
 /// \file
 /// Roots, reciprocals, lengths and powers, correctly rounded for every operand.
 ///
-/// Each result is the number nearest to the exact value, under every policy. A tie is rounded as
-/// the policy rounds products if that is to nearest, and up otherwise. A result out of range throws
-/// an overflow_error under overflow::trap; under every other policy it saturates. reciprocal() and
-/// hypot() take every format, the others formats of at most 32 bits.
+/// Each result is the number nearest to the exact value, under every policy. If the policy rounds
+/// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
+/// an overflow_error under overflow::trap. Under every other policy it saturates. reciprocal() and
+/// hypot() take every format, the others only formats of at most 32 bits.
 ///
 /// fixed.hpp does not include this header.
 #pragma once
@@ -35,7 +35,8 @@ template <class Number, class... Coordinates>
 constexpr Number length(Coordinates... of) noexcept(Number::never_throws) {
   using raw = typename Number::raw_type;
   constexpr int bits = std::numeric_limits<raw>::digits;
-  // Three squares have two bits more than one, of the lowest number 2 bits + 1.
+  // The lowest number has the largest square, 4^bits. The sum of three squares is below 4^(bits +
+  // 1).
   if constexpr (2 * bits + 2 <= 64) {
     const auto square = [](std::int64_t x) { return static_cast<std::uint64_t>(x * x); };
     return limited<Number>(nearest_sqrt_of_word((square(of.raw()) + ...)), "hypot", of...);
@@ -56,7 +57,7 @@ constexpr std::int64_t power_of(Number x, Number y) noexcept {
   const bool is_odd_power = (std::int64_t{y.raw()} >> F & 1) != 0;
   constexpr rounding ties = ties_of<Number>;
   if (raw > 0 || !is_odd_power) return nearest_real_power<ties>(magnitude, y.raw(), F);
-  // Up is down for the magnitude.
+  // A negative tie that goes up goes down in magnitude.
   constexpr bool is_up = ties == rounding::half_up;
   return -(is_up ? nearest_real_power<rounding::floor>(magnitude, y.raw(), F)
                  : nearest_real_power<ties>(magnitude, y.raw(), F));
@@ -99,8 +100,8 @@ template <class Raw, int F, policy P>
   return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::cube_root(x), "cbrt", x);
 }
 
-/// 1 / sqrt(x). Unless x > 0 it throws a domain_error under overflow::trap, and is the highest
-/// number under every other policy.
+/// 1 / sqrt(x). For x <= 0 it throws a domain_error under overflow::trap, and is the highest number
+/// under every other policy.
 ///
 ///     static_assert(rsqrt(q16_16(2)).raw() == 46341);  // 46340.95
 template <class Raw, int F, policy P>
@@ -115,7 +116,7 @@ template <class Raw, int F, policy P>
                                             x);
 }
 
-/// 1 / x to nearest, whereas the operator / rounds as its policy says. For zero it throws a
+/// 1 / x, rounded to nearest. (Operator / rounds as the policy says.) For zero it throws a
 /// domain_error under overflow::trap, and is the highest number under every other policy.
 ///
 ///     static_assert(reciprocal(q16_16(-3)).raw() == -21845);  // -21845.3
@@ -150,8 +151,8 @@ template <class Raw, int F, policy P>
 }
 
 /// x to the power of y; 1 if y is 0. For a negative x, y must be a whole number, and for x = 0 it
-/// must not be negative. Outside it is a domain_error under overflow::trap; under every other
-/// policy a power of zero is the highest number, and one of a negative x is 0.
+/// must not be negative. Outside this domain it throws a domain_error under overflow::trap. Under
+/// every other policy, a power of 0 is then the highest number, and a power of a negative x is 0.
 ///
 ///     static_assert(pow(q16_16(3), q16_16(1.5)).raw() == 340535);  // 340535.05
 ///     static_assert(pow(q16_16(-2), q16_16(-3)) == q16_16(-0.125));

@@ -2,13 +2,13 @@
 /// Sines, cosines and tangents of radians, degrees and turns, correctly rounded for every operand
 /// of every format of at most 32 bits.
 ///
-/// Each result is the number nearest to the exact value, under every policy. Only the sine and
-/// cosine of degrees in a format without fraction bits have ties, 1/2; the policy's rounding of
-/// products decides if it is to nearest, and a tie goes up otherwise. A result out of range throws
-/// an overflow_error under overflow::trap; under every other policy it saturates.
+/// Each result is the number nearest to the exact value, under every policy. Only sines and cosines
+/// of degrees in a format without fraction bits have ties: 1/2 and -1/2. If the policy rounds
+/// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
+/// an overflow_error under overflow::trap. Under every other policy it saturates.
 ///
-/// fixed.hpp does not include this header. Without it there are sin() and cos() of radians in 16.16
-/// and 8.8, which fixed/trig.hpp has.
+/// fixed.hpp does not include this header. It includes fixed/trig.hpp, which has sin() and cos() of
+/// radians in 16.16 and 8.8.
 #pragma once
 
 #include <cstdint>
@@ -99,8 +99,8 @@ template <class Raw, int F, policy P>
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree>(angle, 1, "cos_of_degrees");
 }
 
-/// The tangent of an angle in degrees. That of an odd number of quarter turns is a domain_error
-/// under overflow::trap, and the highest number under every other policy.
+/// The tangent of an angle in degrees. For an odd number of quarter turns it throws a domain_error
+/// under overflow::trap, and is the highest number under every other policy.
 ///
 ///     static_assert(tan_of_degrees(q16_16(45)) == 1);
 template <class Raw, int F, policy P>
@@ -127,8 +127,8 @@ template <class Raw, int F, policy P>
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn>(angle, 1, "cos_of_turns");
 }
 
-/// The tangent of an angle in turns. That of an odd number of quarter turns is a domain_error under
-/// overflow::trap, and the highest number under every other policy.
+/// The tangent of an angle in turns. For an odd number of quarter turns it throws a domain_error
+/// under overflow::trap, and is the highest number under every other policy.
 ///
 ///     static_assert(tan_of_turns(q16_16(0.125)) == 1);
 template <class Raw, int F, policy P>

@@ -16,8 +16,8 @@ namespace fixproof {
 
 /// a * b / c, rounded once by policy::divide. The policy handles overflow of the result, as for
 /// quotients; the product cannot overflow. A zero divisor is handled as in operator/, with the sign
-/// of the product. The rest of a processor's divide does not apply: all of the divisor is used, and
-/// only a zero divisor is a divide error.
+/// of the product. Other limits of a processor's divide do not apply: mul_div() uses the whole
+/// divisor, and only a zero divisor is a divide error.
 ///
 ///     static_assert(mul_div(q16_16(30000), q16_16(20000), q16_16(25000)) == q16_16(24000));
 template <class Raw, int F, policy P>
@@ -40,8 +40,8 @@ template <class Raw, int F, policy P>
       [&] { detail::raise_overflow<F>("mul_div", a.raw(), b.raw(), c.raw()); }));
 }
 
-/// n / d of two integers as a number, rounded once by policy::divide. The policy handles overflow
-/// and a zero divisor, as for quotients; see mul_div().
+/// The quotient of two integers as a number, rounded once by policy::divide. The policy handles
+/// overflow and a zero divisor, as for quotients; see mul_div().
 ///
 ///     static_assert(ratio<q2_30>(1, 3).raw() == 357913941);  // 2^30 / 3
 ///     static_assert(ratio<q16_16>(1000000007, 1000000000).raw() == 65536);

@@ -100,7 +100,8 @@ std::vector<std::uint32_t> operands_of(x86::Routine routine, std::string_view te
   for (const std::string_view part : parts) {
     if (routine == x86::Routine::cossin) {
       const auto angle = angle_of(part);
-      if (!angle) error = "The angle is a whole number of tenths of a degree, -32768 to 32767.";
+      if (!angle)
+        error = "The angle must be a whole number of tenths of a degree, from -32768 to 32767.";
       words.push_back(angle.value_or(0));
       continue;
     }
@@ -122,7 +123,8 @@ x86::LoopCall loop_operands_of(std::string_view loop, std::string_view text, std
   const char* const end = parts[0].data() + parts[0].size();
   const auto [stop, problem] = std::from_chars(parts[0].data(), end, call.pixels);
   if (problem != std::errc() || stop != end || call.pixels > most_pixels) {
-    error = "The number of pixels is a whole number, 0 to " + std::to_string(most_pixels) + ".";
+    error = "The number of pixels must be a whole number, from 0 to " +
+            std::to_string(most_pixels) + ".";
     return call;
   }
   const std::array into{&call.value, &call.step, &call.row, &call.row_step};

@@ -53,21 +53,21 @@ constexpr std::uint64_t quick_root(std::uint64_t n, int shift) noexcept {
   return static_cast<std::uint64_t>(nearest_sqrt_of_word(n << (2 * shift)));
 }
 
-/// sqrt(4^fraction_bits - sine^2), the other side of a triangle, in units of 2^-184 of its longest
-/// side. \param squares 4^fraction_bits - sine^2
+/// sqrt(4^fraction_bits - sine^2), the other side of a triangle, in units of 2^-184 of its
+/// hypotenuse. \param squares 4^fraction_bits - sine^2
 constexpr real precise_side(std::uint64_t squares, int fraction_bits) noexcept {
   return nearest_sqrt_by_pairs<real_bits>(real{squares} << (2 * (real_bits - fraction_bits)));
 }
 
-/// The angle of a triangle for its side `known` / 2^fraction_bits and its longest side 1, from 0 to
+/// The angle of a triangle with the side `known` / 2^fraction_bits and the hypotenuse 1, from 0 to
 /// pi, to nearest.
 /// \param squares 4^fraction_bits - known^2 \param is_left whether the known side is negative
 template <triangle_side Side>
 constexpr std::int64_t careful_triangle_angle(std::uint64_t known, std::uint64_t squares,
                                               bool is_left, int fraction_bits) noexcept {
   constexpr bool is_sine = Side == triangle_side::sine;
-  // Both sides in units of 2^-57 of the longest. The root is off by 2 units, which is also the
-  // most that it moves the angle.
+  // Both sides in units of 2^-57 of the hypotenuse. The root is off by 2 units, and moves the angle
+  // by at most as much.
   constexpr int bits = 57;
   const scaled_root root = root_of(squares);
   const std::uint64_t other = root.root >> (31 + root.doublings + fraction_bits - bits);
@@ -105,7 +105,8 @@ constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bit
   const std::uint64_t squares = one - known * known;
 
   if (fraction_bits <= quick_bits) {
-    // Both sides in units of 2^-32 of the longest. The root moves the angle by at most its error.
+    // Both sides in units of 2^-32 of the hypotenuse. The root moves the angle by at most its
+    // error.
     const int shift = 32 - fraction_bits;
     const std::uint64_t other = quick_root(squares, shift);
     const std::uint64_t side = known << shift;

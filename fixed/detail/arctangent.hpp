@@ -1,9 +1,9 @@
 /// \file
 /// The angle of a vector of words of at most 32 bits, to the nearest integer of ulps.
 ///
-/// An angle is first computed in 64 bits with a bound of its error. If the bound allows two
-/// integers, it is computed again with an error below 2^-170. There are no ties: by Lindemann's
-/// theorem the tangent of a rational angle other than zero is not rational, nor is pi.
+/// The code first computes an angle in 64 bits, with a bound of its error. If the bound allows two
+/// integers, it computes the angle again with an error below 2^-170. There are no ties: by
+/// Lindemann's theorem the tangent of a rational angle other than zero is not rational, nor is pi.
 #pragma once
 
 #include <cstddef>
@@ -49,9 +49,9 @@ constexpr std::int64_t arctangent(std::uint64_t n, std::uint64_t d) noexcept {
 /// The arctangent of n / d in units of 2^-32, for 0 <= n <= d <= 2^32, d > 0. The error is below 3
 /// units.
 ///
-/// As arctangent(), with one division fewer and one term of the series. z is less than 1 unit too
-/// low. The next term, z^5 / 5, is below 2^-32.3 and is missing; z^3 / 3 is less than 1.01 units
-/// too low, and the arctangent of c less than 1.
+/// Like arctangent(), but with one division fewer and only one term of the series, z^3 / 3. The
+/// next one, z^5 / 5, is below 2^-32.3. z is less than 1 unit too low, z^3 / 3 less than 1.01
+/// units, and the arctangent of c less than 1.
 constexpr std::int64_t quick_arctangent(std::uint64_t n, std::uint64_t d) noexcept {
   const std::uint64_t i = 64 * n / d;
   const std::uint64_t z = ((64 * n - i * d) << 32) / (64 * d + i * n);
@@ -132,7 +132,7 @@ constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fractio
   const auto part = octant_of(static_cast<std::uint64_t>(chosen(y < 0, -y, y)),
                               static_cast<std::uint64_t>(chosen(x < 0, -x, x)), x < 0);
   if (fraction_bits <= quick_bits) {
-    // Decides all but one in 5,000.
+    // Decides all but about one operand in 5,000.
     const nearest_ends quick = quick_angle_within(part, fraction_bits, 0);
     if (quick.agree()) [[likely]]
       return chosen(y < 0, -quick.low, quick.low);

@@ -2,9 +2,9 @@
 /// Exponentials, logarithms and hyperbolic functions, computed in digits for words of at most 32
 /// bits. Each is the nearest integer of ulps.
 ///
-/// The results are those of exponential.hpp and hyperbolic.hpp, without their first try. Where that
-/// try decides, its bound has room for the error of the digits. Where it does not, the steps are
-/// those of the precise parts.
+/// The results are those of exponential.hpp and hyperbolic.hpp, without the first try in words.
+/// Where that try decides, its bound has room for the error of the digits. Where it does not
+/// decide, the steps are those of the precise parts.
 #pragma once
 
 #include <cstdint>
@@ -81,7 +81,7 @@ constexpr std::int64_t hyperbolic_ulps(std::int64_t x, int fraction_bits,
   }
 }
 
-/// Beyond 13 it is 1, because 2 e^-26 is below 2^-36.
+/// The result beyond 13 is 1, because 2 e^-26 is below 2^-36.
 constexpr std::int64_t hyperbolic_tangent_ulps(std::int64_t x, int fraction_bits) noexcept {
   if (x >= std::int64_t{13} << 32) return std::int64_t{1} << fraction_bits;
   for (int lowest = short_digit;; lowest = 0) {

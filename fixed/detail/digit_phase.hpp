@@ -44,7 +44,7 @@ constexpr std::int64_t sine_ulps(std::int64_t raw, unsigned ahead, int fraction_
     const std::int64_t quarters = angle.quarters + ahead;
     real result = sine_of(angle.part, quarters % 2 != 0);
     const bool is_negative = (quarters & 2) != 0;
-    // The sines of whole degrees that are near 1/2 are 1/2.
+    // A sine of whole degrees that is this near to 1/2 is 1/2.
     real copy = result;
     if (unit == angle_unit::degree && fraction_bits == 0 && nearest_units(copy, 8) == 128) {
       return rounded_half(is_negative, ties);

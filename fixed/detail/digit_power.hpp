@@ -87,7 +87,8 @@ constexpr std::int64_t power_ulps(std::uint64_t raw, std::int64_t exponent, int 
     return low + (ties == rounding::half_even ? low & 1 : ties == rounding::floor ? 0 : 1);
   }
   const std::int64_t magnitude = exponent < 0 ? -exponent : exponent;
-  // y multiplies the error of the logarithm. Below 2^16 it makes that less than 2^-60 of the value.
+  // y multiplies the error of the logarithm. For y below 2^16, that makes an error below 2^-60 of
+  // the value.
   for (int lowest = magnitude >> (fraction_bits + 16) == 0 ? short_digit : 0;; lowest = 0) {
     real power = logarithm_of(raw, fraction_bits, lowest);
     if (exponent < 0) power.negate();

@@ -1,11 +1,11 @@
 /// \file
 /// Exponentials and logarithms of words of at most 32 bits, each the nearest integer of ulps.
 ///
-/// A result is first computed in 64 bits with a bound of its error. If the bound allows two
-/// integers, which happens about once in 2^(57 - FractionBits) operands, it is computed again with
-/// an error below 2^-160. Formats of at most 16 fraction bits first try with fewer terms. By
-/// Lindemann's theorem and the theorem of Gelfond and Schneider no irrational result is a tie, and
-/// rational results are handled apart.
+/// The code first computes a result in 64 bits, with a bound of its error. If the bound allows two
+/// integers, which happens about once in 2^(57 - FractionBits) operands, it computes the result
+/// again with an error below 2^-160. Formats of at most 16 fraction bits first try fewer terms. A
+/// tie is rational. Lindemann's theorem and the theorem of Gelfond and Schneider show which results
+/// are rational, and the code treats those separately.
 #pragma once
 
 #include <bit>
@@ -26,7 +26,7 @@
 
 namespace fixproof::detail {
 
-// How many terms of their series exact results take, and quick ones.
+// How many terms of the series careful results take, and how many quick ones take.
 inline constexpr std::size_t power_terms = power_coefficients.size();
 inline constexpr std::size_t logarithm_terms = logarithm_coefficients.size();
 inline constexpr std::size_t quick_power_terms = 5;
@@ -81,15 +81,16 @@ constexpr std::int64_t nearest_precise_power(const real& exponent, int fraction_
 template <std::size_t Terms>
 constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_t error,
                                     int fraction_bits) noexcept {
-  // Without a branch, which operands of all sizes would make hard to predict. Below -2, all results
-  // are less than a half.
+  // Without a branch, because operands of all sizes would make it hard to predict. Below -2, all
+  // results are less than a half.
   constexpr std::int64_t highest = 34;
   constexpr std::int64_t lowest = -2;
   const std::int64_t units = exponent.whole + fraction_bits;
   const int place =
       static_cast<int>(chosen(units < lowest, lowest, chosen(units > highest, highest, units)));
   // In units of 2^-61, power_of_two() is off by less than 5, or with five terms by 2^20 + 1. An
-  // error of the exponent adds less than log(2)/4 of it, and a little more if it is large.
+  // error of the exponent adds less than log(2)/4 of that error, and a little more if the error is
+  // large.
   constexpr std::int64_t own_error = Terms == quick_power_terms ? 1048578 : 6;
   const std::uint64_t fraction = chosen(units == place, exponent.fraction, std::uint64_t{0});
   const auto power = static_cast<std::int64_t>(power_of_two<Terms>(fraction) >> 2);
@@ -99,7 +100,7 @@ constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_
   return ends;
 }
 
-/// The exponential, as nearest_exponential(), for every operand.
+/// Like nearest_exponential(), but without the quick try.
 ///
 /// Only a power of two with a whole exponent is rational.
 template <exponential_base Base, rounding R>

@@ -1,9 +1,9 @@
 /// \file
 /// Hyperbolic functions of words of at most 32 bits, each the nearest integer of ulps.
 ///
-/// As in exponential.hpp, 64 bits with a bound of the error come first, and more bits decide where
-/// the bound allows two integers. There are no ties: by Lindemann's theorem the functions of a
-/// rational number other than zero are transcendental.
+/// As in exponential.hpp, the code first computes in 64 bits, with a bound of the error. More bits
+/// decide where the bound allows two integers. There are no ties: by Lindemann's theorem the
+/// functions of a rational number other than zero are transcendental.
 #pragma once
 
 #include <cstddef>
@@ -88,7 +88,7 @@ constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_b
   if (fraction_bits <= quick_bits) {
     const auto t = static_cast<std::uint64_t>(falling_exponential<quick_power_terms>(2 * x));
     constexpr auto whole = static_cast<std::uint64_t>(one);
-    // In units of 2^-32, the divisor makes it up to 4 too high.
+    // In units of 2^-32. Rounding the divisor down makes the quotient up to 4 units too high.
     const auto quick = static_cast<std::int64_t>(((whole - t) << 1) / ((whole + t) >> 31));
     constexpr std::int64_t quick_error = 4;
     const nearest_ends ends = nearest_within(quick, quick_error, 32 - fraction_bits);

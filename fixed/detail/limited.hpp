@@ -1,5 +1,5 @@
 /// \file
-/// The integers of fixed/detail as results of functions: limits and errors.
+/// Makes the integers of fixed/detail results of functions, with limits and errors.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@ namespace fixproof::detail {
 template <class Number>
 inline constexpr bool has_functions = bits_of<typename Number::raw_type> <= 32;
 
-/// The rule for ties: that of the policy's products if it is to nearest.
+/// The rule for ties: that of the policy's products if it is to nearest, else half_up.
 template <class Number>
 inline constexpr rounding ties_of =
     is_to_nearest<Number::rules.multiply> ? Number::rules.multiply : rounding::half_up;
 
-/// The number of ulps as a Number. Out of range it is an overflow_error under overflow::trap, else
-/// the nearest limit.
+/// The number of ulps as a Number. Out of range, throws an overflow_error under overflow::trap,
+/// else returns the nearest limit.
 template <class Number, class Ulps, class... Operands>
 constexpr Number limited(const Ulps& ulps, const char* function,
                          Operands... operands) noexcept(Number::never_throws) {
@@ -34,7 +34,8 @@ constexpr Number limited(const Ulps& ulps, const char* function,
       ulps, [&] { raise_overflow<Number::fraction_bits>(function, operands.raw()...); }));
 }
 
-/// The result outside a function's domain: a domain_error under overflow::trap, else `instead`.
+/// The result outside a function's domain: throws a domain_error under overflow::trap, else returns
+/// `instead`.
 template <class Number, class... Operands>
 constexpr Number outside_domain(typename Number::raw_type instead, const char* function,
                                 Operands... operands) noexcept(Number::never_throws) {

@@ -2,9 +2,9 @@
 /// Sines, cosines and tangents of angles in words of at most 32 bits, in radians, degrees or turns,
 /// each the nearest integer of ulps.
 ///
-/// 64 bits with a bound of the error come first, and more bits decide where the bound allows two
-/// integers. By the theorems of Lindemann and Niven, no irrational result is a tie, and the
-/// rational ones are 0, 1 and, for a sine or cosine, 1/2.
+/// The code first computes in 64 bits, with a bound of the error. More bits decide where the bound
+/// allows two integers. A tie is rational. By the theorems of Lindemann and Niven, the magnitudes
+/// of rational results are 0, 1 and, for a sine or cosine, 1/2.
 #pragma once
 
 #include <cstddef>
@@ -85,8 +85,8 @@ struct precise_sine_and_cosine {
   real cosine;
 };
 
-/// Of an angle from 0 to pi/2, by the Taylor series. The terms after those of x^57 are below
-/// 2^-200.
+/// The sine and cosine of an angle from 0 to pi/2, by the Taylor series. The terms after that of
+/// x^57 are below 2^-200.
 constexpr precise_sine_and_cosine precise_sine_of(const real& angle) noexcept {
   const real square = product(angle, angle);
   real sine = real_one;
@@ -98,8 +98,8 @@ constexpr precise_sine_and_cosine precise_sine_of(const real& angle) noexcept {
   return {product(angle, sine), cosine};
 }
 
-/// The sine of an angle plus `ahead` quarter turns in units of 2^-fraction_bits. Only a half is a
-/// tie, in degrees; rule R decides.
+/// The sine of an angle plus `ahead` quarter turns in units of 2^-fraction_bits. Only 1/2 and -1/2,
+/// in degrees, are ties; rule R decides.
 template <angle_unit Unit, rounding R>
 constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
                                        int fraction_bits) noexcept {
@@ -151,7 +151,7 @@ struct tangent_ratio {
 /// The tangent of a phase. The error of n and of d is below 8 units even if the phase is 2 units
 /// off, 0 <= n <= d and d > 0.96.
 ///
-/// With c = i / 64 of a quarter turn and an angle z < 0.0246 from there on, tan(c + z) is
+/// With c = i / 64 of a quarter turn and an angle z < 0.0246 beyond c, tan(c + z) is
 /// (tan(c) + tan(z)) / (1 - tan(c) tan(z)). The series of tan(z) has five terms; the rest is below
 /// 2^-64.
 constexpr tangent_ratio tangent_of_phase(std::uint64_t phase) noexcept {
@@ -169,8 +169,8 @@ constexpr tangent_ratio tangent_of_phase(std::uint64_t phase) noexcept {
           is_upper != is_odd_quarter, is_odd_quarter};
 }
 
-/// The tangent, as nearest_tangent(), of every angle.
-/// \param a numerator of the tangent of its phase \param b the divisor
+/// Like nearest_tangent(), but without the quick try.
+/// \param a the numerator of the tangent of the phase \param b its divisor
 template <angle_unit Unit>
 constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, bool is_negative,
                                        std::int64_t raw, int fraction_bits) noexcept {
@@ -195,8 +195,8 @@ constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, bool is
   return is_steep ? -result : result;
 }
 
-/// The tangent of an angle in units of 2^-fraction_bits; beyond 2^33 units it may be any integer
-/// beyond. \pre the angle is no pole
+/// The tangent of an angle in units of 2^-fraction_bits; a result beyond 2^33 units may be any
+/// integer beyond that. \pre the angle is no pole
 template <angle_unit Unit>
 constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
   const tangent_ratio tangent = tangent_of_phase(phase_of<Unit>(raw, fraction_bits));

@@ -98,11 +98,11 @@ constexpr auto nearest_reciprocal(Raw raw) noexcept {
   return rounded_ratio<R>(wide{1} << (2 * FractionBits), wide{raw});
 }
 
-/// The terms of a logarithm whose multiple is the exponent of a quick power.
+/// How many terms of the logarithm a quick power takes.
 inline constexpr std::size_t quick_real_power_terms = 6;
 
-/// A rational power: the integer nearest to it in ulps, or the news that the power is not rational
-/// or has too many bits to be a tie.
+/// A rational power as the nearest integer of ulps. `is_known` is false if the power is not
+/// rational, or has too many bits to be a tie.
 struct exact_power {
   bool is_known;
   std::int64_t ulps;
@@ -112,7 +112,7 @@ struct exact_power {
 ///
 /// Let x be m 2^e with an odd m, and y be n / 2^k with an odd n. The power is rational only if k
 /// square roots of m are whole and 2^k divides e. Then it is a power of two, or for n > 0 an odd
-/// integer m^n times one, or for n < 0 the reciprocal of that, which is no tie.
+/// integer m^n times a power of two, or for n < 0 the reciprocal of such a number, which is no tie.
 /// \pre raw > 0, exponent != 0
 template <rounding R>
 constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
@@ -160,7 +160,8 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
 template <std::size_t LogarithmTerms, std::size_t PowerTerms>
 constexpr nearest_ends real_power_within(const scaled_word& x, std::int64_t exponent,
                                          int fraction_bits) noexcept {
-  // A quick logarithm is in units of 2^-57, whose product with a word takes one multiplication.
+  // A quick logarithm is in units of 2^-57, so that its product with a word takes one
+  // multiplication.
   constexpr bool is_quick = LogarithmTerms < logarithm_terms;
   using log_type = std::conditional_t<is_quick, std::int64_t, int128>;
   constexpr int bits = is_quick ? 57 : 64;
@@ -176,7 +177,7 @@ constexpr nearest_ends real_power_within(const scaled_word& x, std::int64_t expo
       fraction_bits);
 }
 
-/// x^y, as nearest_real_power(), for every operand. \param x raw / 2^fraction_bits
+/// Like nearest_real_power(), but without the quick try. \param x raw / 2^fraction_bits
 template <rounding R>
 constexpr std::int64_t careful_real_power(std::uint64_t raw, const scaled_word& x,
                                           std::int64_t exponent, int fraction_bits) noexcept {

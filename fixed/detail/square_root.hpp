@@ -90,7 +90,8 @@ template <class Raw, int FractionBits>
 inline constexpr bool has_fast_root = std::numeric_limits<Raw>::digits + FractionBits < 48 &&
                                       FractionBits <= std::numeric_limits<Raw>::digits;
 
-/// The root of a stored integer as a stored integer, nearest; out of range only if a half is.
+/// The stored integer nearest to the root of a stored integer. It is out of range only in a format
+/// in which 1/2 is, too.
 ///
 /// The hardware root of n = raw 2^FractionBits < 2^47 is below 2^23.5, so it is off by less than
 /// 2^-29 in every rounding mode, and adding a half by as much again: 2^-28 together. Every root is

@@ -213,7 +213,7 @@ std::vector<cases::Operation> functions_named(const std::string& name, const For
     if (is_of_all || name == cases::name_of(operation)) functions.push_back(operation);
   }
   if (functions.empty()) {
-    throw support::UsageError(fmt::format("--function {}: there is only all, {}",
+    throw support::UsageError(fmt::format("--function {}: choose all or one of {}",
                                           support::printable(name), cases::function_names()));
   }
   return functions;

@@ -36,17 +36,17 @@ export const cases = [
   { name: "Not in place", finding: 9, state: { view: "trace", routine: "xformvec", build: "i386-on", beside: "none", operands: "0 1 0 0  1 0 0 0  0 0 1 0  1 2 3", step: "27" },
     says: "This transform swaps x and y, and XformVec has just stored the new x, 2. Two steps on, IMUL reads the old x again for the next row. If both were in one place, it would read 2 there, and (1, 2, 3) would become (2, 2, 3)." },
   { name: "Width, or half the width", finding: 20, state: { view: "operation", op: "mul", in: "q16_16", a: "0xffff8000", b: "0xfec00001" },
-    says: "A comment divides the distance of the projection plane by its width, but the code multiplies that ratio, −2, by half the width. The point x = 50, z = −100 has x / z = −0.5, and −0.5 times −320 is 160 pixels: the edge of the screen. By the comment, the edge would be at x = 25." },
+    says: "A comment calls the ratio, −2, the distance of the projection plane divided by its width, but the code multiplies it by half the width. The point x = 50, z = −100 has x / z = −0.5, and −0.5 times −320 is 160 pixels: the edge of the screen. By the comment, the edge would be at x = 25." },
   { name: "SHRD in place of SHLD", finding: 13, state: { view: "trace", routine: "depth", build: "i386-loop-printed", beside: "i386-loop", operands: "1 0x1234 0", step: "1" },
     says: "The depth is 12h and 34h/256, and the loop needs 12h, its integer part, in BX. As printed, SHRD shifts EBX itself and puts the fraction, 3400h, into BX. SHLD does what the comment says." },
   { name: "A span without pixels", finding: 14, state: { view: "trace", routine: "gouraud", build: "byte-i386-loop", beside: "byte-i386-dec-jnz", operands: "0 32 1", step: "4" },
-    says: "The span has no pixels, but both loops draw before they count. LOOP has counted CX, from 0 to ffffh, and draws 65,536 pixels; DEC has counted all of ECX, and JNZ draws 4,294,967,296. The record stops after 1,000 instructions of each." },
+    says: "The span has no pixels, but both loops draw before they count. LOOP has decremented CX from 0 to ffffh, so its loop draws 65,536 pixels; DEC has decremented all of ECX, so its loop draws 4,294,967,296. The record stops after 1,000 instructions of each." },
   { name: "The odd pixel", finding: 15, state: { view: "trace", routine: "gouraud", build: "word-i386-loop", beside: "byte-i386-loop", operands: "7 32 1", step: "1000" },
     says: "The span has 7 pixels, with the intensities 20h to 26h. The loop that stores two at a time halves the count with SHR ECX,1, which drops the odd pixel, so it draws 6. The loop that stores bytes draws all 7." },
   { name: "The depth test and its description", finding: 16, state: { view: "trace", routine: "depth", build: "i386-loop", beside: "none", operands: "2 1 -2", step: "1000" },
-    says: "The text says not to write a pixel whose depth is greater than the buffer's, and the code writes exactly those pixels. Over a buffer of 0, the loop has drawn the first pixel, ff, at depth 1, and not the second, at depth −1. By the text's rule, with a buffer that begins at minus infinity, nothing would ever be drawn." },
+    says: "The text says not to write a pixel whose depth is greater than the buffer's, and the code writes exactly those pixels. Over a buffer of 0, the loop has drawn the first pixel, ff, at depth 1, but not the second pixel, at depth −1. By the text's rule, with a buffer that begins at minus infinity, nothing would ever be drawn." },
   { name: "A step before the fetch", finding: 21, state: { view: "trace", routine: "texture", build: "i386-loop", beside: "none", operands: "1 1 1 0 0", step: "5" },
-    says: "The span has one pixel, from column 1 with a step of one column, and each texel of row 0 has the number of its column. The assembly fetches first, so it has drawn texel 1, and only now it steps to column 2. The pseudo-code of the same text steps first, and would draw texel 2." },
+    says: "The span has one pixel, from column 1 with a step of one column, and each texel of row 0 has the number of its column. The assembly fetches first, so it has drawn texel 1, and only now does it step to column 2. The pseudo-code of the same text steps first, and would draw texel 2." },
 ];
 
 export const casesView = () => html`

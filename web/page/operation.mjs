@@ -26,7 +26,7 @@ const table = (label, rows, state) => html`
   </table></div>`;
 
 const resultOf = (answer) => html`
-  <p class="exact">${answer.exact === undefined ? "No exact result to show: it is a root, or the divisor is 0." :
+  <p class="exact">${answer.exact === undefined ? "There is no exact result to show: it is a root, or the divisor is 0." :
     html`The exact result is <b>${short(answer.exact, 60)}</b>${answer.fits ? "" : ", out of range"}.`}</p>
   <div class="place">
     <span>${answer.below ? html`0x${answer.below.word}` : ""}</span>

@@ -8,7 +8,7 @@ const MINUTES = 30;
 // responsive.
 const MOVES = 1500;
 
-// The running scene. A change of a control draws the page; tick() writes the figures of each frame.
+// The running scene. When a control changes, the page is drawn again; tick() writes the figures of each frame.
 const run = { opened: "", arithmetic: -1, frame: 0, target: 0, ticking: false, drawn: [], last: 0, owed: 0 };
 
 // A link opens a scene from its first frame, whatever ran before.
@@ -101,7 +101,7 @@ export function scenesView(module, state, update) {
   };
   return html`
     <h2>X-Sharp in two arithmetics</h2>
-    <p>Switch the arithmetic while the scene runs: the new one continues from where the old one left everything. Restart plays
+    <p>Switch the arithmetic while the scene runs: the new one continues where the old one stopped. Restart plays
       from the first frame. White pixels differ from the other arithmetic.</p>
     <div class="choices">
       ${select("Scene", scene.file, scenes.map(({ file, name }) => [file, name]), (file) => update({ scene: file, frame: "0" }))}

@@ -1,4 +1,4 @@
-// A routine or an inner loop, instruction by instruction, forward and backward. Two builds go in step.
+// A routine or an inner loop, instruction by instruction, forward and backward. Two builds step together.
 import { html, nothing } from "../vendor/lit-html.js";
 import { input, problem, select, short } from "./parts.mjs";
 
@@ -11,7 +11,7 @@ export const sampleOperands = {
   concat: `${identity}  ${identity}`, gouraud: "7 32 1.5", depth: "4 1 0.5", texture: "4 1 1 0 0",
 };
 
-// What the operands of an inner loop are.
+// The labels of the operands of each inner loop.
 const loopOperands = { gouraud: "Pixels, intensity, step", depth: "Pixels, depth, step", texture: "Pixels, column, step, row, step" };
 
 const buildName = (name) => name.replace(/i(?=\d)/, "").replace("-on", ", rounded").replace("-off", ", not rounded")

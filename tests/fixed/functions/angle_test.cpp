@@ -91,7 +91,7 @@ TEST(Angles, RangeFollowsThePolicy) {
 TEST(Angles, PartsHaveTheirError) {
   std::mt19937_64 random(1994);
   for (int i = 0; i < 5000; ++i) {
-    // Below 2^57, of which those below 2^32 are divided in two steps.
+    // Below 2^57. Those below 2^32 are divided in two steps.
     const std::uint64_t d = (random() >> (7 + random() % 45)) | 1;
     std::uint64_t n = random() % (d + 1);
     if (i % 3 == 0) n = d / 64 * (random() % 65);

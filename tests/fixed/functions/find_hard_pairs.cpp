@@ -2,16 +2,18 @@
 //
 //     find_hard_pairs FRACTION_BITS DISTANCE [FIRST LAST]
 //
-// Prints what tests/fixed/functions/hard_pairs prints, which is too slow for millions of ties: of
-// the two vectors nearest to each tie those within 2^-DISTANCE ulps of it, with y >= 0. Tie k is
-// the angle k + 1/2 ulps. FIRST and LAST select ties; without them it tries all from 0 to pi, or to
-// the highest number if that is lower. stderr has the number of ties, and how near the nearest is.
+// Prints what tests/fixed/functions/hard_pairs prints, which is too slow for millions of ties. Of
+// the two vectors nearest to each tie, it prints those with y >= 0 within 2^-DISTANCE ulps of the
+// tie. Tie k is the angle k + 1/2 ulps. FIRST and LAST select ties. Without them it tries all ties
+// from 0 to pi, or to the highest number if that is lower. It writes the number of ties, and the
+// distance of the nearest vector, to stderr.
 //
 // Let S and C be the magnitudes of a tie's sine and cosine. A vector (x, y) in its octant has the
 // angle atan(n/d), and |n C - d S| / |(x, y)| is the sine of its distance. The Stern-Brocot tree
 // gives the fractions nearest to S/C with d <= 2^31: Euclid's algorithm on S and C - S, in units of
 // 2^-127. S and C are off by less than 16 units, which moves n C - d S by less than 2^36 units. The
-// program stops with status 1 if one is not above 2^40 units, where a fraction would be uncertain.
+// program stops with status 1 if an n C - d S is not above 2^40 units, where a fraction would be
+// uncertain.
 #include <fmt/format.h>
 
 #include <algorithm>

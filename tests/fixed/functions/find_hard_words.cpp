@@ -36,7 +36,7 @@ struct HardWord {
 
 bool is_nearer(const HardWord& a, const HardWord& b) { return a.distance < b.distance; }
 
-/// Keeps the nearest ones.
+/// Keeps only the `count` nearest ones.
 void prune(std::vector<HardWord>& words, std::size_t count) {
   if (words.size() <= count) return;
   std::ranges::nth_element(words, words.begin() + static_cast<std::ptrdiff_t>(count), is_nearer);
@@ -57,8 +57,8 @@ std::int64_t root_distance(oracle::Function function, std::int64_t raw, N /*form
   return static_cast<std::int64_t>(std::ldexp(distance, 40));
 }
 
-/// Those of `first`, `first + step` and so on up to the highest word whose distance is below
-/// `limit`, and of more than 4 * `count` the nearest.
+/// The operands `first`, `first + step` and so on, up to the highest word, whose distance is below
+/// `limit`. Keeps fewer than 4 * `count` of them, with the `count` nearest.
 template <class N>
 std::vector<HardWord> nearest_of(const functions::Named<N>& f, std::size_t count,
                                  std::int64_t limit, std::int64_t first, std::int64_t step) {
@@ -130,7 +130,7 @@ bool compare_near(const functions::Named<N>& f, const char* format) {
 
 template <class N>
 void find(const functions::Named<N>& f, const char* format, std::size_t count) {
-  // 64 bits may not order the nearest ones rightly.
+  // 64 bits may put the nearest ones in the wrong order.
   const std::size_t candidates = 4 * count;
   const auto found = nearest_of_all(f, candidates, std::numeric_limits<std::int64_t>::max());
   std::vector<std::pair<Decimal100, std::int64_t>> words;

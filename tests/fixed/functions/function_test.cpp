@@ -62,7 +62,7 @@ TYPED_TEST(EveryFormat, FunctionsOfOneNumberAreNearest) {
   } else {
     for (const N x : this->edges()) expect_nearest(unary<N>, x);
     for (int i = 0; i < 150; ++i) expect_nearest(unary<N>, this->word());
-    // Whole degrees, of which some have rational sines.
+    // Whole degrees, because some have rational sines.
     for (int degrees = -360; degrees <= 720; degrees += 15) expect_nearest(unary<N>, N(degrees));
   }
 }
@@ -82,7 +82,7 @@ TYPED_TEST(EveryFormat, FunctionsOfTwoNumbersAreNearest) {
       expect_nearest(binary<N>, edges[i], edges[k]);
     }
   }
-  // Powers of which many are rational.
+  // Powers, many of them rational.
   for (int i = -12; i <= 12; ++i) {
     for (int k = -12; k <= 12; ++k) expect_nearest(binary<N>, N(i) / N(2), N(k) / N(4));
   }

@@ -1,4 +1,4 @@
-/// Compares the functions with MPFR, in 990 bits and by the code of other authors.
+/// Compares the functions with MPFR, which other authors wrote, in 990 bits.
 #include <boost/multiprecision/mpfr.hpp>
 
 #include "oracle/real_function.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 using namespace fixproof;
 using functions::Named;
-/// Of 300 digits.
+/// A number of 300 digits.
 using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<300>,
                                            boost::multiprecision::et_off>;
 
@@ -18,7 +18,7 @@ std::int64_t by_mpfr(oracle::Function function, N x, N y) {
   using limits = std::numeric_limits<typename N::raw_type>;
   const auto real = [](N number) { return ldexp(Real(number.raw()), -N::fraction_bits); };
   const Real value = ldexp(oracle::real_function(function, real(x), real(y)), N::fraction_bits);
-  // MPFR is off by less than 2^-900: a tie is one.
+  // MPFR is off by less than 2^-900, so this makes every tie go up.
   const Real biased = floor(value + 0.5 + ldexp(Real(1), -900));
   if (biased >= limits::max()) return limits::max();
   if (biased <= limits::min()) return limits::min();

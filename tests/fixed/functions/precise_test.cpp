@@ -25,7 +25,7 @@ void expect_near(const real& x, const Decimal100& exact, int bits = 170) {
   EXPECT_LT(abs(value_of(x) - exact), ldexp(Decimal100(1), -bits)) << exact;
 }
 
-/// The word of any length that is random number i.
+/// Random number i, as a word of any length.
 std::uint64_t word_of_any_length(std::mt19937_64& random, int i) { return random() >> i % 60; }
 
 TEST(Precise, Powers) {

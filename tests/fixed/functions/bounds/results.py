@@ -253,7 +253,7 @@ def triangle(source):
     side = source.read(ARCSINE, r"constexpr int bits = (\d+);")
     off = source.read(ARCTANGENT, r"The error is below (\d+) units", "The arctangent of n / d in units of 2^-58")
     root = source.read(ARCSINE, r"The error is below (\d+) units")
-    # The root's units are at most 2^-63 of the longest side: 31 bits, and 32 of the longest side at least.
+    # The root's units are at most 2^-63 of the hypotenuse: 31 bits, and 32 of the hypotenuse at least.
     lines = [f"o = fixed<-{side},dn>(r);"]
     given = ["k in [-1.0001,1.0001]", f"r - O in [-{root}b-63,{root}b-63]", f"a - A in [-{off}b-58,{off}b-58]",
              near("q", Fraction(0), turned(source) / 2**58)]
