@@ -1,4 +1,4 @@
-/// Compares the functions with MPFR, which other authors wrote, in 990 bits.
+/// Compares the functions with MPFR, which other authors wrote, in 300 digits.
 #include <boost/multiprecision/mpfr.hpp>
 
 #include "oracle/real_function.hpp"

@@ -153,8 +153,8 @@ def sinh_and_cosh(source):
                      ("its shift to the unit of e^x", "d - t * h", bits)]
             hint = (f"{error} -> (r - 0.5 * y) + 0.5 * (y - Y) - 0.5 * Y * k "
                     f"{sign} ((d - t * h) + (t - T) * h);")
-            proofs.append(Proof(lines, given, error, -units, units, bits, [hint], name=f"{few.replace(':', ',')}{name}: sum",
-                                parts=parts))
+            proofs.append(Proof(lines, given, error, -units, units, bits, [hint],
+                                name=f"{few.replace(':', ',')}{name}: sum", parts=parts))
     return proofs
 
 
