@@ -124,8 +124,8 @@ TEST(PortPresets, Wolfenstein) {
   });
 }
 
-// dmulscale and tmulscale of Build, and the dot product of Descent: 64-bit sums of products,
-// shifted once.
+// dmulscale and tmulscale of Build, and vm_vec_rotate of Descent: 64-bit sums of products, shifted
+// once.
 TEST(PortPresets, SumsOfProductsAreShiftedOnce) {
   using fixed = q16_16_i386_unrounded;
   Pairs pairs;
