@@ -8,7 +8,9 @@
 
 namespace fixproof::record {
 
-/// Returns the upper half of the 128-bit product of a and b, xor the lower half.
+/// Returns the upper half of the 128-bit product of a and b, xor the lower half. The xor matters:
+/// each half alone, or their sum, is almost linear in a, so opposite changes of two records would
+/// cancel in the sum of their hashes.
 constexpr std::uint64_t folded_product(std::uint64_t a, std::uint64_t b) noexcept {
 #if defined(__SIZEOF_INT128__) && !defined(FIXED_NO_INT128)
   __extension__ using wide = unsigned __int128;
@@ -26,7 +28,8 @@ constexpr std::uint64_t folded_product(std::uint64_t a, std::uint64_t b) noexcep
 
 /// Returns the hash of a sequence of pairs of words, extended by one pair. The factor 9 makes the
 /// hash depend on the order. The product does not depend on the hash, so each pair adds only two
-/// cycles to a chain of hashes.
+/// cycles to a chain of hashes. The keys have many bits set in both halves, so that small operands
+/// also spread over the whole hash.
 constexpr std::uint64_t next_hash(std::uint64_t hash, std::uint64_t first,
                                   std::uint64_t second) noexcept {
   return hash * 9 + folded_product(first ^ 0x9e3779b97f4a7c00, second ^ 0xd1b54a32d192ed03);

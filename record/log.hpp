@@ -6,71 +6,17 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
 #include "record/hash.hpp"
 #include "record/layout.hpp"
+#include "record/options.hpp"
 #include "record/origin.hpp"
 #include "record/pages.hpp"
 
 namespace fixproof::record {
-
-/// A range of blocks or frames to record in full, both ends included. It is empty if `last` <
-/// `first`.
-struct full_range {
-  bool is_of_frames = false;
-  std::int64_t first = 0;
-  std::int64_t last = -1;
-
-  /// Reads a range of blocks such as "97-98", or of frames such as "frames:12-13". Returns an empty
-  /// range for anything else.
-  [[nodiscard]] static full_range from_text(std::string_view text) noexcept {
-    full_range range;
-    constexpr std::string_view frames = "frames:";
-    if (text.substr(0, frames.size()) == frames) {
-      range.is_of_frames = true;
-      text.remove_prefix(frames.size());
-    }
-    const std::size_t dash = text.find('-');
-    std::int64_t first = 0;
-    std::int64_t last = 0;
-    if (dash == std::string_view::npos || !read(text.substr(0, dash), first) ||
-        !read(text.substr(dash + 1), last)) {
-      return {};
-    }
-    range.first = first;
-    range.last = last;
-    return range;
-  }
-
- private:
-  static bool read(std::string_view digits, std::int64_t& value) noexcept {
-    if (digits.empty() || digits.size() > 18) return false;
-    for (const char c : digits) {
-      if (c < '0' || c > '9') return false;
-      value = value * 10 + (c - '0');
-    }
-    return true;
-  }
-};
-
-/// The options of a log.
-struct options {
-  /// The name of the program, for the log.
-  std::string_view program = "unnamed";
-  /// What to record in full. The default is the range in the environment variable
-  /// FIXPROOF_RECORD_FULL.
-  full_range full = from_environment();
-
-  /// Returns the range in FIXPROOF_RECORD_FULL, or an empty one.
-  [[nodiscard]] static full_range from_environment() noexcept {
-    const char* const text = std::getenv("FIXPROOF_RECORD_FULL");
-    return text == nullptr ? full_range{} : full_range::from_text(text);
-  }
-};
 
 /// How far a run has come. Two machines whose operations so far are equal have the same position.
 struct position {
