@@ -2,7 +2,9 @@
 /// Exact intermediate results: a * b / c, the ratio of two integers, and sums of products.
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/overflow.hpp"
@@ -13,6 +15,17 @@
 #include "fixed/number.hpp"
 
 namespace fixproof {
+
+namespace detail {
+
+/// Holds the product of two Raws and its quotient by a third, in at most 64 bits for a Raw of at
+/// most 32 bits.
+template <class Raw>
+using numerator_t = std::conditional_t<
+    std::is_unsigned_v<Raw> && bits_of<Raw> == 32, std::uint64_t,
+    std::conditional_t<(bits_of<Raw> <= 32), product_t<Raw>, signed_t<2 * signed_bits<Raw> + 1>>>;
+
+}  // namespace detail
 
 /// a * b / c, rounded once by policy::divide. The policy handles overflow of the result, as for
 /// quotients; the product cannot overflow. A zero divisor is handled as in operator/, with the sign
@@ -25,7 +38,7 @@ template <class Raw, int F, policy P>
     number<Raw, F, P> a, number<Raw, F, P> b,
     number<Raw, F, P> c) noexcept(number<Raw, F, P>::divide_never_throws) {
   using N = number<Raw, F, P>;
-  using wide = detail::signed_t<2 * detail::signed_bits<Raw> + 1>;
+  using wide = detail::numerator_t<Raw>;
   const wide product = wide{a.raw()} * wide{b.raw()};
   if (c.raw() == 0) {
     if constexpr (!N::divide_never_throws) {
@@ -36,7 +49,7 @@ template <class Raw, int F, policy P>
     return N::from_raw(detail::by_zero<Raw>(product < wide{0}, product == wide{0}));
   }
   return N::from_raw(detail::narrow<P.quotient_range(), Raw>(
-      detail::rounded_ratio<P.divide>(product, wide{c.raw()}),
+      detail::quick_ratio<P.divide>(product, wide{c.raw()}),
       [&] { detail::raise_overflow<F>("mul_div", a.raw(), b.raw(), c.raw()); }));
 }
 

@@ -17,6 +17,7 @@
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/hardware.hpp"
 #include "fixed/detail/nearest.hpp"
+#include "fixed/detail/quotient.hpp"
 #include "fixed/detail/real.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/series.hpp"
@@ -95,7 +96,13 @@ constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) n
 template <rounding R, int FractionBits, class Raw>
 constexpr auto nearest_reciprocal(Raw raw) noexcept {
   using wide = signed_t<2 * FractionBits + larger(bits_of<Raw> - FractionBits, 2) + 2>;
-  return rounded_ratio<R>(wide{1} << (2 * FractionBits), wide{raw});
+  // Without a remainder it takes fewer instructions.
+  if constexpr (std::is_same_v<wide, std::int64_t> && std::is_signed_v<Raw> && FractionBits <= 30 &&
+                R != rounding::half_even) {
+    return quotient_by_integers<R, FractionBits>(std::int32_t{1} << FractionBits, raw);
+  } else {
+    return quick_ratio<R>(wide{1} << (2 * FractionBits), wide{raw});
+  }
 }
 
 /// How many terms of the logarithm a quick power takes.

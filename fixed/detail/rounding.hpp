@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <type_traits>
 
 #include "fixed/detail/wide_integer.hpp"
 #include "fixed/policy.hpp"
@@ -112,6 +113,54 @@ constexpr Int rounded_ratio(Int numerator, Int divisor) noexcept {
                                      : to_upper < above_floor ? std::strong_ordering::greater
                                                               : std::strong_ordering::equal;
   return floor + Int{rounds_up<R>(order, above_floor == zero, negative, is_odd(floor))};
+}
+
+/// Whether the magnitude of a quotient grows by one, when rule R rounds it.
+/// \param rest the remainder of the magnitudes, below their divisor
+/// \param odd  whether the quotient of the magnitudes is odd; only half_even uses it
+template <rounding R, class Word>
+constexpr bool grows(Word rest, Word divisor, bool negative, bool odd) noexcept {
+  const Word to_next = divisor - rest;
+  if constexpr (R == rounding::half_up) {
+    return rest + Word{!negative} > to_next;
+  } else if constexpr (R == rounding::half_away) {
+    return rest >= to_next;
+  } else if constexpr (R == rounding::half_even) {
+    return rest + Word{odd} > to_next;
+  } else if constexpr (R == rounding::truncate) {
+    return false;
+  } else {
+    static_assert(R == rounding::floor);
+    return negative && rest != 0;
+  }
+}
+
+/// -x modulo 2^(bits of Word) if `negative`, else x, without a branch.
+template <class Word>
+constexpr Word negated_if(bool negative, Word x) noexcept {
+  const Word mask = Word{0} - Word{negative};
+  return (x ^ mask) - mask;
+}
+
+/// rounded_ratio() with one division and without a branch, if Int has at most 64 bits.
+///
+/// It divides magnitudes. Random signs and remainders make branches hard to predict, and clang++
+/// branches between the objects of std::strong_ordering.
+/// \pre the divisor is not zero, and the result fits; a wider Int has a bit to spare
+template <rounding R, class Int>
+constexpr Int quick_ratio(Int numerator, Int divisor) noexcept {
+  if constexpr (sizeof(Int) <= sizeof(std::uint64_t)) {
+    using word = std::make_unsigned_t<Int>;
+    const bool divisor_below = divisor < 0;
+    const bool negative = (numerator < 0) != divisor_below;
+    const word n = negated_if(numerator < 0, static_cast<word>(numerator));
+    const word d = negated_if(divisor_below, static_cast<word>(divisor));
+    const word floor = n / d;
+    const word nearest = floor + word{grows<R>(n % d, d, negative, is_odd(floor))};
+    return static_cast<Int>(negated_if(negative, nearest));
+  } else {
+    return rounded_ratio<R>(numerator, divisor);
+  }
 }
 
 }  // namespace fixproof::detail

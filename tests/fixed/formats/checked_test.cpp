@@ -180,6 +180,34 @@ TEST(MulDivAndRatio, HaveNoQuotientFault) {
   EXPECT_THROW(static_cast<void>(mul_div(N(1), N(1), N(0))), fixproof::divide_error);
 }
 
+/// Expects the results of 5 / 2 and of -5 / 2.
+template <fixproof::rounding R, class Raw = std::int32_t>
+void expect_halves(std::int32_t positive, std::int32_t negative) {
+  using N = fixproof::number<Raw, 0, fixproof::policy{.divide = R}>;
+  EXPECT_EQ(mul_div(N(5), N(3), N(6)).raw(), positive);
+  EXPECT_EQ(mul_div(N(-5), N(-3), N(6)).raw(), positive);
+  EXPECT_EQ(mul_div(N(-5), N(3), N(6)).raw(), negative);
+  EXPECT_EQ(mul_div(N(5), N(3), N(-6)).raw(), negative);
+}
+
+TEST(MulDivAndRatio, TiesFollowThePolicy) {
+  using fixproof::rounding;
+  expect_halves<rounding::half_up>(3, -2);
+  expect_halves<rounding::half_away>(3, -3);
+  expect_halves<rounding::half_even>(2, -2);
+  expect_halves<rounding::truncate>(2, -2);
+  expect_halves<rounding::floor>(2, -3);
+  expect_halves<rounding::half_away, std::int8_t>(3, -3);
+}
+
+TEST(MulDivAndRatio, HoldsTheLargestProducts) {
+  const auto lowest = fixproof::q32_0::from_raw(std::numeric_limits<std::int32_t>::min());
+  EXPECT_EQ(mul_div(lowest, lowest, lowest), lowest);
+  const auto highest =
+      fixproof::number<std::uint32_t, 0>::from_raw(std::numeric_limits<std::uint32_t>::max());
+  EXPECT_EQ(mul_div(highest, highest, highest), highest);
+}
+
 TEST(Literals, AreExactOrRounded) {
   using namespace fixproof::literals;  // NOLINT(google-build-using-namespace)
   using namespace fixproof;            // NOLINT(google-build-using-namespace)

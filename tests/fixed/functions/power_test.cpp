@@ -18,8 +18,11 @@ TEST(Powers, TiesFollowThePolicy) {
   // 2^-9 is half a unit.
   EXPECT_EQ(rsqrt(q24_8(1 << 18)).raw(), 1);
   EXPECT_EQ(rsqrt(even(1 << 18)).raw(), 0);
+  EXPECT_EQ(reciprocal(q24_8(512)).raw(), 1);
   EXPECT_EQ(reciprocal(q24_8(-512)).raw(), 0);
   EXPECT_EQ(reciprocal(away(-512)).raw(), -1);
+  EXPECT_EQ(reciprocal(even(512)).raw(), 0);
+  EXPECT_EQ(reciprocal(even(-512)).raw(), 0);
   // 3^3 / 2^9 is 13.5 units.
   EXPECT_EQ(pow(q24_8(0.375), q24_8(3)).raw(), 14);
   EXPECT_EQ(pow(q24_8(-0.375), q24_8(3)).raw(), -13);
