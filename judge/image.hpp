@@ -11,6 +11,9 @@ namespace fixproof::judge {
 struct Symbol {
   std::string name;
   std::uint32_t offset = 0;  ///< offset in the code segment
+
+  /// An address that is nearer to a missing symbol than this belongs to it.
+  static constexpr std::uint32_t reach = 0x8000;
 };
 
 /// A routine and the memory around it. Addresses in `memory` are linear; a segment starts at 16
@@ -27,6 +30,7 @@ struct Image {
   std::uint32_t entry = 0;         ///< offset in the code segment
   std::uint32_t entry_end = 0;     ///< offset after the routine; 0 if unknown
   std::vector<Symbol> symbols;
+  std::vector<Symbol> missing;  ///< names that an object lacks, at addresses without memory
 
   std::uint32_t stack_top = 0;  ///< offset in the data segment; arguments are below it
   std::uint32_t data = 0;       ///< offset in the data segment of what pointers point to

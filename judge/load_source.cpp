@@ -91,15 +91,21 @@ void load_source(Image& image, const std::string& path) {
   const Scratch scratch;
   const std::string code = scratch.file("code");
   const std::string map = scratch.file("map");
+  // A name that starts with a minus sign must not be an option.
+  const std::string name = path.starts_with('-') ? "./" + path : path;
   const proof::Output output =
       run_nasm({"--before", fmt::format("[bits {}]", image.bits), "--before",
-                fmt::format("[map symbols {}]", map), "-o", code, path});
+                fmt::format("[map symbols {}]", map), "-o", code, name});
   if (!output.in_time) throw UsageError("nasm does not finish");
   if (output.status != 0) {
     // The text is "FILE:LINE: error: what"; load() adds the file.
     std::string said = output.err.substr(0, output.err.find('\n'));
-    if (said.starts_with(path + ":")) said.erase(0, path.size() + 1);
-    throw UsageError(fmt::format("nasm: {}", support::printable(said)));
+    if (said.starts_with(name + ":")) said.erase(0, name.size() + 1);
+    const bool is_wide = said.ends_with("in 16-bit mode") || said.ends_with("in 32-bit mode") ||
+                         said.ends_with("in non-64-bit mode");
+    throw UsageError(fmt::format(
+        "nasm: {}{}", support::printable(said),
+        is_wide ? "; judge runs code of 16 bits, or with --bits 32 of 32, not of 64" : ""));
   }
   const std::uint32_t origin = read_map(image, support::read_bounded(map, max_bytes));
   load_flat(image, support::read_bounded(code, max_bytes), origin);
