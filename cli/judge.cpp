@@ -213,14 +213,23 @@ bool print_proof(const JudgeOptions& options, const judge::Subject& subject,
   return proof.standing != proof::Standing::disproven;
 }
 
+/// Tells whether a routine fails as code for another width does.
+bool fails_widely(const judge::Verdict& verdict) {
+  if (verdict.stuck) return verdict.stuck->ending.end != judge::End::endless;
+  return verdict.judge && 2 * verdict.judge->wrong().count() > verdict.judge->cases();
+}
+
 /// Returns the exit status. If the routine fails, it may be code that the machine misreads.
-int status_of(bool right, const judge::Image& image) {
-  if (!right && judge::looks_like_64_bits(image)) {
+int status_of(bool right, const judge::Image& image, const judge::Verdict& verdict) {
+  if (right) return 0;
+  if (judge::looks_like_64_bits(image)) {
     std::cout << fmt::format(
         "\nThe code looks like 64-bit code, and ran as {}-bit code: compile with -m32.\n",
         image.bits);
+  } else if (image.has_assumed_bits && fails_widely(verdict)) {
+    std::cout << "\nThe code ran as 16-bit code: add --bits 32 if it has 32 bits.\n";
   }
-  return right ? 0 : 1;
+  return 1;
 }
 
 int judge_file(const JudgeOptions& options, const CLI::App& command) {
@@ -255,11 +264,11 @@ int judge_file(const JudgeOptions& options, const CLI::App& command) {
     progress.reset();
     std::cout << heading_text(subject, options.file, rules_line(use.rules, Rounding::given))
               << whole_text(subject, whole);
-    if (whole.verdict.stuck) return status_of(false, image);
+    if (whole.verdict.stuck) return status_of(false, image, whole.verdict);
     const bool right = print_inspection(subject) && whole.verdict.is_right() &&
                        whole.candidates.front().exceptions == 0;
     if (options.clocks) print_clocks(subject);
-    return status_of(right, image);
+    return status_of(right, image, whole.verdict);
   }
   use.rounding_is_open =
       options.rounding.empty() && options.rule.empty() && check::is_rounded(operation);
@@ -270,11 +279,11 @@ int judge_file(const JudgeOptions& options, const CLI::App& command) {
                                                              : Rounding::fitting;
   std::cout << heading_text(subject, options.file, rules_line(verdict.rules, rounding))
             << verdict_text(subject, verdict);
-  if (verdict.stuck) return status_of(false, image);
+  if (verdict.stuck) return status_of(false, image, verdict);
   bool right = print_inspection(subject) && verdict.is_right();
   if (options.clocks) print_clocks(subject);
   if (options.prove) right = print_proof(options, subject, verdict) && right;
-  return status_of(right, image);
+  return status_of(right, image, verdict);
 }
 
 }  // namespace

@@ -32,6 +32,9 @@ void expect_effects(const CLI::App& command) {
   expect_only(command, "--list", {"file", "--at", "--symbol", "--bits"});
   expect_only(command, "--trace",
               {"file", "--at", "--symbol", "--bits", "--as", "--frame", "--format"});
+  expect_only(command, "--against-listing",
+              {"file", "--at", "--target", "--round", "--mul-round", "--div-round", "--as-printed",
+               "--chapter", "--repaired"});
 }
 
 void JudgeOptions::add_to(CLI::App& command) {
@@ -60,8 +63,10 @@ void JudgeOptions::add_to(CLI::App& command) {
   command.add_option("--symbol", symbol, "the name of the routine in an ELF object or NASM source")
       ->check(not_empty());
   command
-      .add_option("--bits", bits,
-                  "width of the code, 16 or 32; by default 32 for an ELF object, else 16")
+      .add_option(
+          "--bits", bits,
+          "width of the code, 16 or 32; by default 32 for an ELF object, what BITS says for "
+          "NASM source, else 16")
       ->check(CLI::IsMember({16, 32}));
   command
       .add_option("--format", format,
@@ -106,13 +111,6 @@ void JudgeOptions::add_to(CLI::App& command) {
           "00020000'")
       ->check(not_empty());
   listing.add_to(command);
-  CLI::Option* const against = command.get_option("--against-listing");
-  for (const char* name :
-       {"--as", "--frame", "--symbol", "--bits", "--prove", "--clocks", "--list", "--trace",
-        "--format", "--rounding", "--overflow", "--no-result", "--rule", "--cases", "--level",
-        "--seed", "--shard", "--show", "--timeout"}) {
-    against->excludes(command.get_option(name));
-  }
   command.footer(
       R"(The routine runs on every case of `fixproof gen`, in a process of its own that can open no file and
 start no program. It runs on this processor, or on Unicorn if the processor cannot run it.

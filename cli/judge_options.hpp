@@ -38,7 +38,7 @@ struct JudgeOptions {
   void add_to(CLI::App& command);
 };
 
-/// Refuses options that have no effect beside --list or --trace.
+/// Refuses options that have no effect beside --list, --trace or --against-listing.
 /// @throws support::UsageError
 void expect_effects(const CLI::App& command);
 

@@ -40,7 +40,9 @@ void* hook_of(Function* function) {
 }
 
 struct Free {
-  void operator()(std::uint8_t* memory) const { std::free(memory); }  // NOLINT(*-no-malloc)
+  void operator()(std::uint8_t* memory) const {
+    std::free(memory);
+  }  // NOLINT(*-no-malloc,*-owning-memory)
 };
 
 class Emulator final : public Machine {

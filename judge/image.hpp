@@ -20,6 +20,7 @@ struct Symbol {
 /// times its number. Flat code has segment 0 everywhere.
 struct Image {
   int bits = 16;
+  bool has_assumed_bits = false;     ///< whether neither the user nor the file tells the width
   std::string container;             ///< for messages, such as "flat binary"
   std::vector<std::uint8_t> memory;  ///< everything that the routine can reach
   std::uint32_t first = 0;           ///< linear address of the first byte of the file

@@ -87,22 +87,36 @@ std::vector<Line> reachable(const Image& image, Listing& listing) {
   return lines;
 }
 
-std::string source_of(const Image& image) {
-  Listing listing(image);
-  const std::vector<Line> lines = reachable(image, listing);
+namespace {
+
+/// Returns the offsets of lines to which other lines jump.
+std::set<std::uint32_t> targets_among(const std::vector<Line>& lines) {
   std::set<std::uint32_t> starts;
   std::set<std::uint32_t> targets;
   for (const Line& line : lines) starts.insert(line.at);
   for (const Line& line : lines) {
     if (starts.contains(target_of(line))) targets.insert(target_of(line));
   }
+  return targets;
+}
+
+std::string text_of_bytes(const Image& image, std::uint32_t at, std::uint32_t count) {
+  std::string text;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    text +=
+        fmt::format("{}0x{:02x}", i == 0 ? "db " : ", ", image.memory.at(image.code_at(at) + i));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string source_of(const Image& image) {
+  Listing listing(image);
+  const std::vector<Line> lines = reachable(image, listing);
+  const std::set<std::uint32_t> targets = targets_among(lines);
   const auto bytes_at = [&](std::uint32_t at, std::uint32_t count) {
-    std::string bytes;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      bytes +=
-          fmt::format("{}0x{:02x}", i == 0 ? "db " : ", ", image.memory.at(image.code_at(at) + i));
-    }
-    return bytes;
+    return text_of_bytes(image, at, count);
   };
   // Each line has two forms: the instruction, and its bytes.
   std::vector<std::string> as_text;

@@ -65,7 +65,7 @@ class Object {
   }
 
  private:
-  static UsageError damaged() { return UsageError("the ELF file is damaged"); }
+  static UsageError damaged() { return UsageError{"the ELF file is damaged"}; }
 
   template <class T>
   [[nodiscard]] T at(std::uint64_t offset) const {

@@ -1,10 +1,15 @@
 #include <fmt/format.h>
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp() is POSIX's
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "judge/assemble.hpp"
@@ -84,7 +89,42 @@ std::uint32_t read_map(Image& image, const std::string& map) {
   return origin;
 }
 
+/// Splits a line of a source into words of lower case, without brackets and the comment.
+std::vector<std::string> words_of(std::string line) {
+  line.resize(std::min(line.size(), line.find(';')));
+  for (char& c : line) {
+    const auto byte = static_cast<unsigned char>(c);
+    c = c == '[' || c == ']' ? ' ' : static_cast<char>(std::tolower(byte));
+  }
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// Directives that may stand before the one that states the width.
+bool is_directive(const std::string& word) {
+  constexpr std::array<std::string_view, 8> names{"org",     "cpu",     "global", "extern",
+                                                  "section", "segment", "static", "default"};
+  return word.starts_with('%') || std::find(names.begin(), names.end(), word) != names.end();
+}
+
 }  // namespace
+
+std::optional<int> bits_of_source(const std::string& path) {
+  std::istringstream lines(support::read_bounded(path, max_bytes));
+  for (std::string line; std::getline(lines, line);) {
+    const std::vector<std::string> words = words_of(line);
+    if (words.empty()) continue;
+    std::string width;
+    if (words[0] == "bits" && words.size() == 2) width = words[1];
+    if (words[0].starts_with("use")) width = words[0].substr(3);
+    if (width == "64") {
+      throw UsageError("the source is for 64 bits; judge runs code of 16 or 32 bits");
+    }
+    if (width == "16" || width == "32") return width == "16" ? 16 : 32;
+    if (!is_directive(words[0])) break;
+  }
+  return std::nullopt;
+}
 
 void load_source(Image& image, const std::string& path) {
   image.container = "NASM source";

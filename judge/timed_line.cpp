@@ -125,7 +125,7 @@ bool is_shift(std::string_view m) {
 }
 
 /// Reads one operand into the shape and what depends on it.
-void add_operand(TimedLine& timed, std::string text, std::span<const std::uint8_t> bytes) {
+void add_operand(TimedLine& timed, std::string text) {
   if (is_one_of(text, {"cs", "ds", "es", "ss", "fs", "gs"})) {
     timed.shape += 's';
     timed.needs_386 |= text == "fs" || text == "gs";
@@ -157,11 +157,9 @@ void add_operand(TimedLine& timed, std::string text, std::span<const std::uint8_
       timed.bases = o.bases;
       return;
     case Operand::Kind::immediate: {
-      const std::uint8_t opcode = static_cast<std::size_t>(timed.prefixes) < bytes.size()
-                                      ? bytes[static_cast<std::size_t>(timed.prefixes)]
-                                      : std::uint8_t{0};
-      const bool by_one = counts && (opcode == 0xD0 || opcode == 0xD1);
-      timed.shape += by_one ? '1' : timed.mnemonic == "imul" && opcode == 0x6B ? 'b' : 'i';
+      const bool by_one = counts && (timed.opcode == 0xD0 || timed.opcode == 0xD1);
+      const bool by_byte = timed.mnemonic == "imul" && timed.opcode == 0x6B;
+      timed.shape += by_one ? '1' : by_byte ? 'b' : 'i';
       timed.immediate = o.value;
       return;
     }
@@ -207,7 +205,7 @@ TimedLine timed_line(const Line& line, std::span<const std::uint8_t> bytes, int 
     return timed;
   }
   for (const std::string& operand : operands_in(line, timed.mnemonic)) {
-    add_operand(timed, operand, bytes);
+    add_operand(timed, operand);
   }
   if (timed.bits == 0 && timed.shape.starts_with("m")) timed.bits = code_bits;
   const std::string& m = timed.mnemonic;

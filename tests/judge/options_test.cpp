@@ -64,8 +64,9 @@ TEST(JudgeOptions, CodeOf64Bits) {
       "The code looks like 64-bit code, and ran as 32-bit code: compile with -m32.";
   const std::string code = folder.write("wide.bin", command::assemble("bits 64\n" + source));
   expect(judge(code, "--bits|32|--as|mul|--cases|5000"), 1, {hint});
-  expect(judge(folder.write("wide.asm", "bits 64\n" + source), "--bits|32|--as|mul|--cases|5000"),
-         1, {hint});
+  command::expect_usage_error(
+      judge(folder.write("wide.asm", "; mine\n[bits 64]\n" + source), "--bits|32|--as|mul"),
+      "wide.asm: the source is for 64 bits; judge runs code of 16 or 32 bits");
   command::expect_usage_error(
       judge(folder.write("rax.asm", "\nmov rax, rdi"), "--bits|32|--as|mul"),
       "nasm: 2: error: instruction not supported in 32-bit mode; judge runs "
@@ -75,6 +76,29 @@ TEST(JudgeOptions, CodeOf64Bits) {
                            in_registers + "|--cases|5000");
   EXPECT_EQ(other.status, 1);
   EXPECT_EQ(other.out.find("64-bit"), std::string::npos) << other.out;
+}
+
+TEST(JudgeOptions, ASourceStatesItsWidth) {
+  const ScratchFolder folder;
+  const std::string mul = "mov eax, [esp+4]\nimul dword [esp+8]\nshrd eax, edx, 16\nret\n";
+  for (const std::string start :
+       {"bits 32\n", "; mine\n\n  org 0x100\n  [BITS 32] ; 386\n", "global mul\nUSE32\nmul: "}) {
+    expect(judge(folder.write("code.asm", start + mul), "--as|mul|--cases|5000"), 0,
+           {"32-bit code", "AGREES on 5,000 cases"});
+  }
+  command::expect_usage_error(
+      judge(folder.write("code.asm", "bits 32\n" + mul), "--bits|16|--as|mul"),
+      "code.asm: --bits 16: the source says bits 32; leave --bits out");
+  // Without a width, 16 bits are assumed, and the verdict says so if the code fails as 32-bit code
+  // would.
+  const std::string hint = "The code ran as 16-bit code: add --bits 32 if it has 32 bits.\n";
+  for (const std::string& file : {folder.write("code.asm", mul),
+                                  folder.write("code.bin", command::assemble("bits 32\n" + mul))}) {
+    expect(judge(file, "--as|mul|--cases|5000"), 1, {hint});
+    EXPECT_EQ(judge(file, "--as|mul|--cases|5000|--bits|16").out.find(hint), std::string::npos);
+  }
+  const auto endless = judge(folder.write("loop.asm", "jmp $"), "--as|mul");
+  EXPECT_EQ(endless.out.find(hint), std::string::npos) << endless.out;
 }
 
 }  // namespace
