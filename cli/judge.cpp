@@ -282,7 +282,7 @@ int judge_file(const JudgeOptions& options, const CLI::App& command) {
   if (verdict.stuck) return status_of(false, image, verdict);
   bool right = print_inspection(subject) && verdict.is_right();
   if (options.clocks) print_clocks(subject);
-  if (options.prove) right = print_proof(options, subject, verdict) && right;
+  if (options.prove && !verdict.state) right = print_proof(options, subject, verdict) && right;
   return status_of(right, image, verdict);
 }
 

@@ -245,6 +245,15 @@ TEST(JudgeClocks, SomeInstructionsOfA386HaveNo32BitOperand) {
                 {{}, {}, 2 + 5 + 3 + 13, {1 + 5 + 1 + 5, 2 + 6 + 1 + 5}});
 }
 
+TEST(JudgeClocks, AFixedAddressOf32Bits) {
+  if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
+  const RoutineClocks found =
+      clocks_of("mov ecx, [0x100]\nadd ecx, [0x100]\nret", "eax, ebx -> eax",
+                check::variant_of(cases::Operation::add, cases::q16_16), 32);
+  EXPECT_EQ(found.on.at(2).clocks.least(), 4U + 6U + 13U);
+  EXPECT_EQ(found.on.at(3).clocks.least(), 1U + 2U + 5U);
+}
+
 TEST(JudgeClocks, AnInstructionWithoutAFigureIsNamed) {
   if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
   const ScratchFolder folder;
