@@ -40,9 +40,8 @@ void* hook_of(Function* function) {
 }
 
 struct Free {
-  void operator()(std::uint8_t* memory) const {
-    std::free(memory);
-  }  // NOLINT(*-no-malloc,*-owning-memory)
+  // NOLINTNEXTLINE(*-no-malloc,*-owning-memory): the memory is std::aligned_alloc()'s
+  void operator()(std::uint8_t* memory) const { std::free(memory); }
 };
 
 class Emulator final : public Machine {

@@ -91,7 +91,8 @@ void find_entry(Image& image, const LoadOptions& options) {
   if (!options.symbol.empty()) return enter_symbol(image, options.symbol);
   if (image.container != "ELF object") return;
   if (image.symbols.size() != 1) {
-    if (image.symbols.empty()) throw UsageError("the object has no global function; use --at");
+    if (image.symbols.empty())
+      throw UsageError("the object has no global function; make the routine global");
     enter_symbol(image, "");  // throws with the names
   }
   image.entry = image.symbols.front().offset;

@@ -1,4 +1,5 @@
 // Right and subtly wrong routines. Their comments say what each verdict must be.
+#include "machine_code/host_segment.hpp"
 #include "tests/judge/judged.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
@@ -125,6 +126,8 @@ TEST(Judge, ACaseThatIsNotWrongAgainIsNotTheSmallest) {
 }
 
 TEST(Judge, AResultThatDependsOnTheProcessorIsUnsteady) {
+  const std::string absence = fixproof::machine_code::HostSegment::absence();
+  if (!absence.empty()) GTEST_SKIP() << absence;
   const ScratchFolder folder;
   const std::string source =
       "imul ebx\nshrd eax, edx, 16\nmov edi, eax\nmov eax, 1\ncpuid\nadd eax, edi\nret\n";
@@ -134,8 +137,7 @@ TEST(Judge, AResultThatDependsOnTheProcessorIsUnsteady) {
 
 TEST(Judge, FloatingPointStartsAlikeOnBothMachines) {
   expect(judge(routine("x87_floor"), in_registers + "|--cases|5000"), 0,
-         {"5,000 cases on this processor", "also on Unicorn", "AGREES on 5,000 cases",
-          "floor on all"});
+         {"AGREES on 5,000 cases", "floor on all"});
   // The control words and the tags of a new process on Linux.
   const ScratchFolder folder;
   const auto expect_state = [&](const std::string& store, const std::string& result) {
