@@ -6,15 +6,14 @@
 #include <utility>
 
 #include "cases/words.hpp"
-#include "cli/arguments.hpp"
-#include "cli/case_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/judge_listing.hpp"
+#include "cli/judge_options.hpp"
 #include "cli/judge_text.hpp"
 #include "cli/port_option.hpp"
 #include "cli/rule_named.hpp"
-#include "cli/solver_options.hpp"
 #include "judge/clocks.hpp"
+#include "judge/code_width.hpp"
 #include "judge/inspection.hpp"
 #include "judge/listing.hpp"
 #include "judge/load.hpp"
@@ -28,28 +27,6 @@
 namespace fixproof::cli {
 
 namespace {
-
-struct JudgeOptions {
-  std::string file;
-  std::string operation;
-  std::string format = "q16_16";
-  std::string rule;
-  std::string rounding;
-  std::string overflow = "any";
-  std::string no_result = "any";
-  std::string frame = "c";
-  int bits = 0;  ///< 0: what the container implies
-  std::string at;
-  std::string symbol;
-  check::CaseOptions cases;
-  std::size_t shown = 3;
-  bool list = false;
-  bool prove = false;
-  bool clocks = false;
-  SolverOptions solver{.seconds = 30};
-  std::string trace;
-  ListingOptions listing;
-};
 
 /// Shorter names of operations that only this command takes.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> short_names{
@@ -112,18 +89,24 @@ check::Rules rules_of(const JudgeOptions& options, const cases::Variant& variant
   return rules;
 }
 
-std::string rules_line(const check::Rules& rules, bool is_open) {
+/// Where the rounding of a verdict comes from.
+enum class Rounding { given, fitting, unknown };
+
+std::string rules_line(const check::Rules& rules, Rounding rounding) {
   std::string text =
       fmt::format("{} {}: ", cases::name_of(rules.operation), cases::name_of(rules.format));
   if (is_whole(rules.operation)) return text + "every rule is tried";
   if (rules.port != nullptr) {
-    return text + fmt::format("{}{}", port_text(*rules.port), is_open ? ", which fits" : "");
+    return text + fmt::format("{}{}", port_text(*rules.port),
+                              rounding == Rounding::fitting ? ", which fits" : "");
   }
   if (!check::is_rounded(rules.operation)) {
     text += "exact";
+  } else if (rounding == Rounding::unknown) {
+    text += "any rounding";
   } else {
     text += fmt::format("{}{}", check::name_of(rules.rounding),
-                        is_open ? ", the rounding that fits best" : "");
+                        rounding == Rounding::fitting ? ", the rounding that fits best" : "");
   }
   if (check::can_overflow(rules.operation, rules.format)) {
     text += fmt::format("; overflow {}", check::name_of(rules.overflow));
@@ -230,8 +213,28 @@ bool print_proof(const JudgeOptions& options, const judge::Subject& subject,
   return proof.standing != proof::Standing::disproven;
 }
 
-int judge_file(const JudgeOptions& options) {
+/// Tells whether a routine fails as code for another width does.
+bool fails_widely(const judge::Verdict& verdict) {
+  if (verdict.stuck) return verdict.stuck->ending.end != judge::End::endless;
+  return verdict.judge && 2 * verdict.judge->wrong().count() > verdict.judge->cases();
+}
+
+/// Returns the exit status. If the routine fails, it may be code that the machine misreads.
+int status_of(bool right, const judge::Image& image, const judge::Verdict& verdict) {
+  if (right) return 0;
+  if (judge::looks_like_64_bits(image)) {
+    std::cout << fmt::format(
+        "\nThe code looks like 64-bit code, and ran as {}-bit code: compile with -m32.\n",
+        image.bits);
+  } else if (image.has_assumed_bits && fails_widely(verdict)) {
+    std::cout << "\nThe code ran as 16-bit code: add --bits 32 if it has 32 bits.\n";
+  }
+  return 1;
+}
+
+int judge_file(const JudgeOptions& options, const CLI::App& command) {
   const support::Interrupt interrupt;
+  expect_effects(command);
   if (!options.listing.routines.empty()) {
     return judge_against_listings(options.file, options.at, options.listing);
   }
@@ -259,108 +262,28 @@ int judge_file(const JudgeOptions& options) {
     if (options.prove) throw support::UsageError("--prove is for a routine with one result");
     const judge::WholeVerdict whole = judge::judge_whole(subject, use);
     progress.reset();
-    std::cout << heading_text(subject, options.file, rules_line(use.rules, false))
+    std::cout << heading_text(subject, options.file, rules_line(use.rules, Rounding::given))
               << whole_text(subject, whole);
-    if (whole.verdict.stuck) return 1;
+    if (whole.verdict.stuck) return status_of(false, image, whole.verdict);
     const bool right = print_inspection(subject) && whole.verdict.is_right() &&
                        whole.candidates.front().exceptions == 0;
     if (options.clocks) print_clocks(subject);
-    return right ? 0 : 1;
+    return status_of(right, image, whole.verdict);
   }
   use.rounding_is_open =
       options.rounding.empty() && options.rule.empty() && check::is_rounded(operation);
   const judge::Verdict verdict = judge::judge_routine(subject, use);
   progress.reset();
-  std::cout << heading_text(subject, options.file,
-                            rules_line(verdict.rules, use.rounding_is_open && !verdict.stuck))
+  const Rounding rounding = !use.rounding_is_open            ? Rounding::given
+                            : verdict.stuck || verdict.state ? Rounding::unknown
+                                                             : Rounding::fitting;
+  std::cout << heading_text(subject, options.file, rules_line(verdict.rules, rounding))
             << verdict_text(subject, verdict);
-  if (verdict.stuck) return 1;
+  if (verdict.stuck) return status_of(false, image, verdict);
   bool right = print_inspection(subject) && verdict.is_right();
   if (options.clocks) print_clocks(subject);
-  if (options.prove) right = print_proof(options, subject, verdict) && right;
-  return right ? 0 : 1;
-}
-
-void add_judge_options(CLI::App& command, JudgeOptions& options) {
-  command
-      .add_option("file", options.file,
-                  "the file with the routine: a .COM, MZ .EXE, ELF object (i386), NASM source or "
-                  "flat binary")
-      ->required()
-      ->check(not_empty());
-  command
-      .add_option(
-          "--as", options.operation,
-          "what the routine computes: mul, div, sqrt, add, sub, muldiv, sin_cos, transform, a "
-          "function of docs/functions.md, or ? to find out; required unless --list is given")
-      ->check(not_empty());
-  command
-      .add_option("--frame", options.frame,
-                  "calling convention: c, c-far, pascal, pascal-far, stdcall, or registers such as "
-                  "'eax, ebx -> eax' or 'dx:ax, cx:bx -> dx:ax keeps si'")
-      ->check(not_empty())
-      ->capture_default_str();
-  command
-      .add_option("--at", options.at,
-                  "where the routine is: OFFSET, OFFSET..END or, in hex, SEGMENT:OFFSET")
-      ->check(not_empty());
-  command
-      .add_option("--symbol", options.symbol,
-                  "the name of the routine in an ELF object or NASM source")
-      ->check(not_empty());
-  command
-      .add_option("--bits", options.bits,
-                  "width of the code, 16 or 32; by default 32 for an ELF object, else 16")
-      ->check(CLI::IsMember({16, 32}));
-  command
-      .add_option("--format", options.format,
-                  "format of the words: qW_F signed or uW_F unsigned, 8, 16, 32 or 64 bits in all")
-      ->capture_default_str();
-  command
-      .add_option("--rounding", options.rounding,
-                  "expected rounding: half-up, half-away, half-even, floor or toward-zero; by "
-                  "default the one that fits best")
-      ->check(not_empty());
-  command
-      .add_option("--overflow", options.overflow,
-                  "expected result of an overflow: wrap, saturate, symmetric, maximum, minimum, de "
-                  "or any")
-      ->check(not_empty())
-      ->capture_default_str();
-  command
-      .add_option("--no-result", options.no_result,
-                  "expected result where there is none, as in a division by 0: any, or a value of "
-                  "--divide-by-zero, --negative-root or --outside-domain of check")
-      ->check(not_empty())
-      ->capture_default_str();
-  add_port_option(command, options.rule, {"--rounding", "--overflow", "--no-result"});
-  add_case_options(command, options.cases);
-  command.add_option("--show", options.shown, "number of wrong results to show")
-      ->transform(whole_number(0, 1'000'000))
-      ->capture_default_str();
-  command.add_flag("--prove", options.prove,
-                   "also prove the routine for all operands, or find a case that fails");
-  options.solver.add_to(command);
-  command.add_flag(
-      "--clocks", options.clocks,
-      "also count the clocks of calls on an 8088, 286, 386 and 486, by Intel's tables, "
-      "and the bytes fetched");
-  command.add_flag("--list", options.list,
-                   "only disassemble the routine, to NASM source of the same bytes");
-  command
-      .add_option(
-          "--trace", options.trace,
-          "only run one case step by step; write its operands as gen does, such as '00018000 "
-          "00020000'")
-      ->check(not_empty());
-  options.listing.add_to(command);
-  CLI::Option* const against = command.get_option("--against-listing");
-  for (const char* name :
-       {"--as", "--frame", "--symbol", "--bits", "--prove", "--clocks", "--list", "--trace",
-        "--format", "--rounding", "--overflow", "--no-result", "--rule", "--cases", "--level",
-        "--seed", "--shard", "--show", "--timeout"}) {
-    against->excludes(command.get_option(name));
-  }
+  if (options.prove && !verdict.state) right = print_proof(options, subject, verdict) && right;
+  return status_of(right, image, verdict);
 }
 
 }  // namespace
@@ -369,32 +292,8 @@ void add_judge(CLI::App& app, int& status) {
   auto options = std::make_shared<JudgeOptions>();
   CLI::App* command =
       app.add_subcommand("judge", "judge a machine-code routine of your own, for 16 or 32 bits");
-  add_judge_options(*command, *options);
-  command->footer(
-      R"(The routine runs on every case of `fixproof gen`, in a process of its own that can open no file and
-start no program. It runs on this processor, or on Unicorn if the processor cannot run it.
-
---frame says where the operands and the result are. Name the registers in the order of the
-operands, a pair with its upper half first, a pointer in brackets. In the stack conventions, the
-routine must preserve (E)BP, (E)SI and (E)DI, and also EBX in 32-bit code. After registers, `keeps`
-names those that it must preserve.
-  mul, div, add, sub  two numbers          -> a number
-  sqrt                a number             -> a number
-  muldiv              a, b, c              -> a * b / c
-  sin_cos             tenths of a degree (16 bits) -> cosine and sine, or pointers to them
-  transform           pointers to 12, 3 and 3 numbers: matrix, vector, result
-
-Exit status: 0 if all results are right and there is no defect, 1 if there is one, 2 for bad usage
-or input, 130 if interrupted.
-
-Examples:
-  fixproof judge fixmul.asm --as mul --frame 'eax, ebx -> eax' --bits 32
-  fixproof judge game.exe --as mul --at 0:1f40 --frame c-far
-  fixproof judge doom.o --symbol FixedDiv --as div --rule doom
-  fixproof judge fixed.o --symbol fix_div --as div --rounding toward-zero
-  fixproof judge old.com --at 1a0h --as '?' --frame 'dx:ax, cx:bx -> dx:ax'
-  fixproof judge demo1.exe --against-listing all --mul-round on --div-round off)");
-  command->callback([options, &status] { status = judge_file(*options); });
+  options->add_to(*command);
+  command->callback([options, command, &status] { status = judge_file(*options, *command); });
 }
 
 }  // namespace fixproof::cli

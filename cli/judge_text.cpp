@@ -35,6 +35,29 @@ std::string smallest_text(const check::JudgedCase& one, const check::Rules& rule
   return line.substr(line.find("): ") + 3);
 }
 
+std::string unsteady_text(const judge::Verdict& verdict) {
+  const std::string& operands = verdict.unsteady->operands;
+  if (const auto& state = verdict.state) {
+    return fmt::format(
+        "STATEFUL: for {} the result depends on earlier calls: {} at {:04x}h reads {:x}h, and {} "
+        "at "
+        "{:04x}h writes it. No rule is tried: the operands alone do not decide the "
+        "result\n",
+        operands, state->reads.text, state->reads.at, state->address, state->writes.text,
+        state->writes.at);
+  }
+  if (verdict.is_steady_on_processor) {
+    return fmt::format(
+        "UNSTEADY: for {} the result on Unicorn is not that on this processor: the routine reads "
+        "what differs between processors, such as a flag that Intel leaves undefined\n",
+        operands);
+  }
+  return fmt::format(
+      "UNSTEADY: for {} the result differs from call to call: the routine reads a register, a flag "
+      "or memory that its caller does not set, or a flag that Intel leaves undefined\n",
+      operands);
+}
+
 }  // namespace
 
 std::string register_names(unsigned mask, int bits) {
@@ -59,10 +82,19 @@ std::string text_of(const judge::Ending& ending, const judge::Image& image) {
     case judge::End::divide_error:
       return "raises a divide error (#DE) " + at;
     case judge::End::bad_address:
+      for (const judge::Symbol& symbol : image.missing) {
+        if (ending.address - symbol.offset + judge::Symbol::reach >= 2 * judge::Symbol::reach) {
+          continue;
+        }
+        return fmt::format("uses {}, which the object does not have, {}; add it with ld -r",
+                           support::quoted(symbol.name), at);
+      }
       return fmt::format("uses memory at {:x}h, where there is none, {}", ending.address, at);
     case judge::End::interrupt:
       return fmt::format("calls interrupt {:02x}h {}: routines run without a system", ending.number,
                          at);
+    case judge::End::system_call:
+      return fmt::format("makes a system call {}: routines run without a system", at);
     case judge::End::port:
       return "uses an input or output port " + at;
     case judge::End::endless:
@@ -108,12 +140,7 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
                         register_names(verdict.not_preserved->registers, bits),
                         verdict.not_preserved->operands);
   }
-  if (verdict.unsteady) {
-    text += fmt::format(
-        "UNSTEADY: for {} the result differs from call to call: the routine reads a register, a "
-        "flag or memory that its caller does not set, or a flag that Intel leaves undefined\n",
-        verdict.unsteady->operands);
-  }
+  if (verdict.unsteady) text += unsteady_text(verdict);
   if (verdict.first_divide_error) {
     text +=
         fmt::format("{} case{} raise{} a divide error (#DE), first {}\n",
@@ -125,7 +152,7 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
 
 std::string verdict_text(const judge::Subject& subject, const judge::Verdict& verdict) {
   std::string text = calls_text(subject, verdict);
-  if (verdict.stuck) return text;
+  if (verdict.stuck || verdict.state) return text;
   const check::Judge& judge = *verdict.judge;
   if (judge.wrong().count() == 0) {
     text += fmt::format("AGREES on {} {}\n", support::grouped(judge.cases()),
@@ -142,7 +169,7 @@ std::string verdict_text(const judge::Subject& subject, const judge::Verdict& ve
 
 std::string whole_text(const judge::Subject& subject, const judge::WholeVerdict& whole) {
   std::string text = calls_text(subject, whole.verdict);
-  if (whole.verdict.stuck) return text;
+  if (whole.verdict.stuck || whole.verdict.state) return text;
   const judge::Candidate& best = whole.candidates.front();
   if (best.exceptions == 0) {
     text +=

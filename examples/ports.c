@@ -32,18 +32,32 @@ static int64_t saturated(int64_t a, int64_t b) {
   return x < 0 ? -INT32_MAX : INT32_MAX;
 }
 
+/* Allegro in C. */
+static int64_t clipped(int64_t a, int64_t b) {
+  const int64_t x = a * b;
+  if (x > INT32_MAX * INT64_C(65536)) return INT32_MAX;
+  return x < -INT32_MAX * INT64_C(65536) ? INT32_MIN : x >> 16;
+}
+
 /* Build, Rise of the Triad and Descent: IDIV. */
-static int64_t divided(int64_t a, int64_t b) {
+static int64_t idiv(int64_t a, int64_t b) {
   if (b == 0) return DE;
-  const int64_t x = a * 65536 / b;
+  const int64_t x = a / b;
   return x < INT32_MIN || x > INT32_MAX ? DE : x;
 }
+static int64_t divided(int64_t a, int64_t b) { return idiv(a * 65536, b); }
+static int64_t scaled(int64_t a, int64_t b, int64_t c) { return idiv(a * b, c); }
 
 /* Doom. abs() of the lowest number is that number, which is below all others. */
 static int64_t doom_size(int64_t x) { return x == INT32_MIN ? x : size(x); }
-static int64_t guarded(int64_t a, int64_t b) {
-  if (doom_size(a) >> 14 >= doom_size(b)) return (a ^ b) < 0 ? INT32_MIN : INT32_MAX;
-  return divided(a, b);
+static bool is_far(int64_t a, int64_t b) { return doom_size(a) >> 14 >= doom_size(b); }
+static int64_t end(int64_t a, int64_t b) { return (a ^ b) < 0 ? INT32_MIN : INT32_MAX; }
+static int64_t guarded(int64_t a, int64_t b) { return is_far(a, b) ? end(a, b) : divided(a, b); }
+
+/* Chocolate Doom divides in 64 bits. */
+static int64_t guarded_wide(int64_t a, int64_t b) {
+  if (is_far(a, b)) return end(a, b);
+  return b == 0 ? DE : wrapped((uint64_t)(a * 65536 / b));
 }
 
 /* Allegro on the 386. */
@@ -54,25 +68,44 @@ static int64_t truncated(int64_t a, int64_t b) {
   return negative ? -kept : kept;
 }
 
-/* Allegro in C. */
-static int64_t rounded(int64_t a, int64_t b) {
-  if (b == 0) return a < 0 ? -INT32_MAX : INT32_MAX;
-  const double x = (double)a / (double)b;
+/* Allegro in C: ftofix(). */
+static int64_t from_double(double x) {
   if (x > 32767.0 || x < -32767.0) return x < 0 ? -INT32_MAX : INT32_MAX;
   return (int64_t)(x * 65536.0 + (x < 0 ? -0.5 : 0.5));
+}
+static int64_t rounded(int64_t a, int64_t b) {
+  if (b == 0) return a < 0 ? -INT32_MAX : INT32_MAX;
+  return from_double((double)a / (double)b);
+}
+static int64_t rounded_product(int64_t a, int64_t b) {
+  return from_double((double)a / 65536.0 * ((double)b / 65536.0));
 }
 
 static const struct {
   const char* rule;
   const char* operation;
-  int64_t (*function)(int64_t, int64_t);
+  int64_t (*of_two)(int64_t, int64_t);
+  int64_t (*of_three)(int64_t, int64_t, int64_t);
 } ports[] = {
-    {"doom", "mul", floored},           {"doom", "div", guarded},
-    {"build", "mul", floored},          {"build", "div", divided},
-    {"rott", "mul", half_up},           {"rott", "div", divided},
-    {"descent", "mul", floored},        {"descent", "div", divided},
-    {"allegro-i386", "mul", saturated}, {"allegro-i386", "div", truncated},
-    {"allegro-c", "div", rounded},      {"wolf3d", "mul", by_fraction},
+    {"doom", "mul", floored, NULL},
+    {"doom", "div", guarded, NULL},
+    {"chocolate-doom", "mul", floored, NULL},
+    {"chocolate-doom", "div", guarded_wide, NULL},
+    {"build", "mul", floored, NULL},
+    {"build", "div", divided, NULL},
+    {"build", "mul_div", NULL, scaled},
+    {"rott", "mul", half_up, NULL},
+    {"rott", "div", divided, NULL},
+    {"rott", "mul_div", NULL, scaled},
+    {"descent", "mul", floored, NULL},
+    {"descent", "div", divided, NULL},
+    {"descent", "mul_div", NULL, scaled},
+    {"allegro-i386", "mul", saturated, NULL},
+    {"allegro-i386", "div", truncated, NULL},
+    {"allegro-c", "mul", clipped, NULL},
+    {"allegro-c", "div", rounded, NULL},
+    {"allegro-double", "mul", rounded_product, NULL},
+    {"wolf3d", "mul", by_fraction, NULL},
 };
 
 int main(int argc, char** argv) {
@@ -82,8 +115,12 @@ int main(int argc, char** argv) {
     while (fgets(line, sizeof line, stdin)) {
       uint32_t a = 0;
       uint32_t b = 0;
-      if (sscanf(line, "%" SCNx32 " %" SCNx32, &a, &b) != 2) return 2;
-      const int64_t result = ports[i].function((int32_t)a, (int32_t)b);
+      uint32_t c = 0;
+      const int read = sscanf(line, "%" SCNx32 " %" SCNx32 " %" SCNx32, &a, &b, &c);
+      if (read != (ports[i].of_three ? 3 : 2)) return 2;
+      const int64_t result = ports[i].of_three
+                                 ? ports[i].of_three((int32_t)a, (int32_t)b, (int32_t)c)
+                                 : ports[i].of_two((int32_t)a, (int32_t)b);
       if (result == DE) {
         puts("DE");
       } else {

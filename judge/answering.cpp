@@ -175,10 +175,14 @@ void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& v
   }
   if (done) {
     compare_again(subject, *pass, pass->runner(), verdict);
+    if (verdict.unsteady && no_unicorn.empty()) {
+      verdict.state = find_kept_state(subject, verdict.unsteady->words);
+    }
     if (verdict.machine == On::processor && no_unicorn.empty() && !verdict.unsteady) {
       Runner unicorn(subject, On::unicorn);
       compare_again(subject, *pass, unicorn, verdict);
       verdict.on_both = pass->sampled_answers().size();
+      verdict.is_steady_on_processor = verdict.unsteady.has_value();
     }
   }
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -24,7 +24,8 @@ enum class End : std::uint8_t {
   divide_error,     ///< #DE
   bad_instruction,  ///< an invalid or privileged instruction
   bad_address,      ///< an access to memory that does not exist
-  interrupt,        ///< INT n or a system call
+  interrupt,        ///< INT n
+  system_call,      ///< SYSCALL or SYSENTER
   port,             ///< IN or OUT
   halted,           ///< HLT
   endless,          ///< no return within the machine's limit of steps or time

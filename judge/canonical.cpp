@@ -5,65 +5,22 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <string_view>
-#include <system_error>
 
-#include "proof/process.hpp"
-#include "support/usage_error.hpp"
+#include "judge/ndisasm.hpp"
 
 namespace fixproof::judge {
 
 namespace {
 
-constexpr std::chrono::seconds time_to_disassemble{20};
 /// The offsets that one run of ndisasm disassembles from.
 constexpr std::uint32_t piece = 4096;
-/// No instruction is longer.
-constexpr std::uint32_t longest = 15;
 /// Each offset's instruction stands alone, at a multiple of this. Behind it are CS: prefixes and a
 /// NOP: wherever the disassembler is after the bytes that follow the instruction, it takes the rest
 /// for one instruction.
-constexpr std::uint32_t slot = 2 * longest;
+constexpr std::uint32_t slot = 2 * longest_instruction;
 constexpr char prefix = '\x2E';
 constexpr char nop = '\x90';
-
-/// A line of ndisasm: an offset and the bytes, both in hex, then the text. The bytes of a long
-/// instruction go on in lines that start with blanks and a minus sign.
-struct Printed {
-  std::uint32_t at = 0;
-  std::uint32_t bytes = 0;
-  std::string_view text{};
-};
-
-std::string_view take_word(std::string_view& line) {
-  line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-  const std::string_view word = line.substr(0, line.find(' '));
-  line.remove_prefix(word.size());
-  return word;
-}
-
-std::vector<Printed> lines_of(std::string_view output) {
-  std::vector<Printed> lines;
-  while (!output.empty()) {
-    std::string_view rest = output.substr(0, output.find('\n'));
-    output.remove_prefix(std::min(rest.size() + 1, output.size()));
-    const bool goes_on = rest.starts_with(' ');
-    std::string_view word = take_word(rest);
-    if (goes_on) {
-      if (!lines.empty() && word.starts_with('-')) {
-        lines.back().bytes += static_cast<std::uint32_t>((word.size() - 1) / 2);
-      }
-      continue;
-    }
-    Printed& line = lines.emplace_back();
-    std::from_chars(word.data(), word.data() + word.size(), line.at, 16);
-    line.bytes = static_cast<std::uint32_t>(take_word(rest).size() / 2);
-    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-    line.text = rest;
-  }
-  return lines;
-}
 
 void remove_words(std::string& text) {
   for (const std::string_view word : {"byte ", "short ", "near "}) {
@@ -120,18 +77,6 @@ void take_table(CanonicalLine& line) {
   line.text.replace(at, end - at, "[cs:bx+TAB");
 }
 
-std::string output_of_ndisasm(const std::string& bytes) {
-  try {
-    const proof::Output output =
-        proof::run_program({"ndisasm", "-b", "16", "-"}, bytes, time_to_disassemble);
-    if (!output.in_time) throw support::UsageError("ndisasm does not end");
-    return output.out;
-  } catch (const std::system_error& error) {
-    throw support::UsageError(fmt::format(
-        "ndisasm cannot be run: {}; install Debian's package nasm", error.code().message()));
-  }
-}
-
 }  // namespace
 
 const CanonicalLine& Code::at(std::uint32_t offset) {
@@ -147,12 +92,11 @@ void Code::disassemble(std::uint32_t first, std::vector<CanonicalLine>& lines) c
   std::string slots(std::size_t{slot} * count, prefix);
   for (std::uint32_t i = 0; i < count; ++i) {
     slots[std::size_t{slot} * (i + 1) - 1] = nop;
-    const std::uint32_t whole = std::min(longest, size() - first - i);
+    const std::uint32_t whole = std::min(longest_instruction, size() - first - i);
     std::copy_n(bytes_.begin() + first + i, whole, slots.begin() + std::ptrdiff_t{slot} * i);
   }
-  const std::string output = output_of_ndisasm(slots);
   lines.resize(count);
-  for (const Printed& printed : lines_of(output)) {
+  for (const Line& printed : disassembled(16, 0, slots)) {
     if (printed.at % slot != 0 || printed.at / slot >= count) continue;
     CanonicalLine& line = lines[printed.at / slot];
     line.at = first + printed.at / slot;

@@ -54,7 +54,7 @@ class Counter {
       step.line = &line_at(here);
       step.next = is_last ? nullptr : &line_at(trace.steps[i + 1]);
       step.registers = here.registers;
-      step.taken = is_last || trace.steps[i + 1].at == target_of(step.line->line);
+      step.taken = is_taken(*step.line, here.registers);
       step.memory = 0;
       while (access < trace.accesses.size() && trace.accesses[access].step < i) ++access;
       if (access < trace.accesses.size() && trace.accesses[access].step == i) {

@@ -40,7 +40,8 @@ void* hook_of(Function* function) {
 }
 
 struct Free {
-  void operator()(std::uint8_t* memory) const { std::free(memory); }  // NOLINT(*-no-malloc)
+  // NOLINTNEXTLINE(*-no-malloc,*-owning-memory): the memory is std::aligned_alloc()'s
+  void operator()(std::uint8_t* memory) const { std::free(memory); }
 };
 
 class Emulator final : public Machine {
@@ -61,6 +62,7 @@ class Emulator final : public Machine {
         write(r, image.data_segment);
       }
     }
+    initialize_floating_point();
     check(uc_context_alloc(engine_, &fresh_), "context");
     check(uc_context_save(engine_, fresh_), "context");
     add_hooks();
@@ -112,8 +114,30 @@ class Emulator final : public Machine {
     }
   }
 
+  /// Unicorn reports exceptions as interrupts.
+  [[nodiscard]] End end_after_interrupt(std::uint32_t number) const {
+    constexpr std::uint32_t invalid_opcode = 6;
+    constexpr std::uint32_t general_protection = 13;
+    if (number == 0) return End::divide_error;
+    if (number == invalid_opcode) return End::bad_instruction;
+    // In 16-bit code, SYSENTER raises #GP.
+    if (number == general_protection && trace_ != nullptr && !trace_->steps.empty()) {
+      const std::uint32_t at = image_.code_at(trace_->steps.back().at);
+      if (at + 2 <= bytes_ && fetch(memory_.get() + at, 2) == 0x340F) return End::system_call;
+    }
+    return End::interrupt;
+  }
+
   void write(int number, std::uint64_t value) {
     check(uc_reg_write(engine_, number, &value), "registers");
+  }
+
+  /// Gives x87 and SSE the state of a new process on this processor. Unicorn starts with control
+  /// words of 0: single precision, and no exception masked.
+  void initialize_floating_point() {
+    write(UC_X86_REG_FPCW, 0x37F);
+    write(UC_X86_REG_FPTAG, 0xFFFF);  // all registers of the stack are empty
+    write(UC_X86_REG_MXCSR, 0x1F80);
   }
 
   template <class Values>
@@ -176,11 +200,8 @@ class Emulator final : public Machine {
     add(UC_HOOK_BLOCK, at_block, 1, 0);
     using Interrupt = void(uc_engine*, std::uint32_t, void*);
     Interrupt* const at_interrupt = [](uc_engine*, std::uint32_t number, void* data) {
-      constexpr std::uint32_t invalid_opcode = 6;
       self(data).ending_.number = static_cast<std::uint8_t>(number);
-      self(data).stop(number == 0                ? End::divide_error
-                      : number == invalid_opcode ? End::bad_instruction
-                                                 : End::interrupt);
+      self(data).stop(self(data).end_after_interrupt(number));
     };
     add(UC_HOOK_INTR, at_interrupt, 1, 0);
     using Invalid = bool(uc_engine*, uc_mem_type, std::uint64_t, int, std::int64_t, void*);
@@ -202,10 +223,9 @@ class Emulator final : public Machine {
     };
     add(UC_HOOK_INSN, at_out, 1, 0, UC_X86_INS_OUT);
     using System = void(uc_engine*, void*);
-    System* const at_system = [](uc_engine*, void* data) {
-      self(data).ending_.number = 0x80;
-      self(data).stop(End::interrupt);
-    };
+    System* const at_system = [](uc_engine*, void* data) { self(data).stop(End::system_call); };
+    // Without a hook, Unicorn takes SYSCALL for an instruction without effect.
+    add(UC_HOOK_INSN, at_system, 1, 0, UC_X86_INS_SYSCALL);
     add(UC_HOOK_INSN, at_system, 1, 0, UC_X86_INS_SYSENTER);
     if (trace_ != nullptr) add_trace_hooks();
   }

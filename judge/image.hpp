@@ -11,12 +11,16 @@ namespace fixproof::judge {
 struct Symbol {
   std::string name;
   std::uint32_t offset = 0;  ///< offset in the code segment
+
+  /// An address that is nearer to a missing symbol than this belongs to it.
+  static constexpr std::uint32_t reach = 0x8000;
 };
 
 /// A routine and the memory around it. Addresses in `memory` are linear; a segment starts at 16
 /// times its number. Flat code has segment 0 everywhere.
 struct Image {
   int bits = 16;
+  bool has_assumed_bits = false;     ///< whether neither the user nor the file tells the width
   std::string container;             ///< for messages, such as "flat binary"
   std::vector<std::uint8_t> memory;  ///< everything that the routine can reach
   std::uint32_t first = 0;           ///< linear address of the first byte of the file
@@ -27,6 +31,7 @@ struct Image {
   std::uint32_t entry = 0;         ///< offset in the code segment
   std::uint32_t entry_end = 0;     ///< offset after the routine; 0 if unknown
   std::vector<Symbol> symbols;
+  std::vector<Symbol> missing;  ///< names that an object lacks, at addresses without memory
 
   std::uint32_t stack_top = 0;  ///< offset in the data segment; arguments are below it
   std::uint32_t data = 0;       ///< offset in the data segment of what pointers point to

@@ -8,31 +8,16 @@
 #include <set>
 #include <sstream>
 #include <string_view>
-#include <system_error>
 
 #include "judge/assemble.hpp"
-#include "proof/process.hpp"
-#include "support/usage_error.hpp"
 
 namespace fixproof::judge {
 
 namespace {
 
-constexpr std::chrono::seconds time_to_disassemble{20};
 /// Bytes of code that one run of ndisasm reads.
 constexpr std::uint32_t window = 512;
-/// The length of the longest instruction.
-constexpr std::uint32_t longest = 15;
 constexpr std::uint32_t nowhere = 0xFFFFFFFF;
-
-std::string output_of_ndisasm(const std::vector<std::string>& arguments, const std::string& bytes) {
-  try {
-    return proof::run_program(arguments, bytes, time_to_disassemble).out;
-  } catch (const std::system_error& error) {
-    throw support::UsageError(fmt::format(
-        "ndisasm cannot be run: {}; install Debian's package nasm", error.code().message()));
-  }
-}
 
 bool is_jump(std::string_view mnemonic) {
   return mnemonic.starts_with('j') || mnemonic.starts_with("loop") || mnemonic == "call";
@@ -46,30 +31,11 @@ const Line& Listing::at(std::uint32_t offset) {
   const auto last = std::min(static_cast<std::uint32_t>(image_.memory.size()), first + window);
   const std::string bytes(image_.memory.begin() + std::min(first, last),
                           image_.memory.begin() + last);
-  std::istringstream lines(output_of_ndisasm(
-      {"ndisasm", "-b", std::to_string(image_.bits), "-o", std::to_string(offset), "-"}, bytes));
-  for (std::string text; std::getline(lines, text);) {
-    std::istringstream words(text);
-    Line line;
-    std::string code;
-    words >> std::hex >> line.at >> code >> std::ws;
-    if (!words || text.starts_with(' ')) continue;  // the rest of a long instruction
-    std::getline(words, line.text);
-    lines_.try_emplace(line.at, line);
-  }
-  // A line extends to the next one. The window may cut off its last instructions.
-  for (auto line = lines_.find(offset); line != lines_.end(); ++line) {
-    if (line->second.bytes != 0) break;
-    const auto next = std::next(line);
-    if (next == lines_.end() || line->first + longest > offset + window) {
-      line->second.bytes = offset + (last - first) - line->first;
-      if (line->first != offset && line->first + longest > offset + window) {
-        lines_.erase(line, lines_.end());
-        break;
-      }
-    } else {
-      line->second.bytes = next->first - line->first;
-    }
+  const bool is_cut_off = first + window < image_.memory.size();
+  for (Line& line : disassembled(image_.bits, offset, bytes)) {
+    // The window may cut off its last instructions.
+    if (is_cut_off && line.at != offset && line.at + longest_instruction > offset + window) break;
+    lines_.try_emplace(line.at, std::move(line));
   }
   return lines_[offset];
 }
@@ -121,22 +87,36 @@ std::vector<Line> reachable(const Image& image, Listing& listing) {
   return lines;
 }
 
-std::string source_of(const Image& image) {
-  Listing listing(image);
-  const std::vector<Line> lines = reachable(image, listing);
+namespace {
+
+/// Returns the offsets of lines to which other lines jump.
+std::set<std::uint32_t> targets_among(const std::vector<Line>& lines) {
   std::set<std::uint32_t> starts;
   std::set<std::uint32_t> targets;
   for (const Line& line : lines) starts.insert(line.at);
   for (const Line& line : lines) {
     if (starts.contains(target_of(line))) targets.insert(target_of(line));
   }
+  return targets;
+}
+
+std::string text_of_bytes(const Image& image, std::uint32_t at, std::uint32_t count) {
+  std::string text;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    text +=
+        fmt::format("{}0x{:02x}", i == 0 ? "db " : ", ", image.memory.at(image.code_at(at) + i));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string source_of(const Image& image) {
+  Listing listing(image);
+  const std::vector<Line> lines = reachable(image, listing);
+  const std::set<std::uint32_t> targets = targets_among(lines);
   const auto bytes_at = [&](std::uint32_t at, std::uint32_t count) {
-    std::string bytes;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      bytes +=
-          fmt::format("{}0x{:02x}", i == 0 ? "db " : ", ", image.memory.at(image.code_at(at) + i));
-    }
-    return bytes;
+    return text_of_bytes(image, at, count);
   };
   // Each line has two forms: the instruction, and its bytes.
   std::vector<std::string> as_text;

@@ -8,14 +8,9 @@
 #include <vector>
 
 #include "judge/image.hpp"
+#include "judge/ndisasm.hpp"
 
 namespace fixproof::judge {
-
-struct Line {
-  std::uint32_t at = 0;  ///< offset in the code segment
-  std::uint32_t bytes = 0;
-  std::string text{};  ///< in NASM syntax, with numbers as 0x...
-};
 
 /// Disassembles on demand. Needs ndisasm on the PATH.
 class Listing {

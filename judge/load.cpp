@@ -91,7 +91,8 @@ void find_entry(Image& image, const LoadOptions& options) {
   if (!options.symbol.empty()) return enter_symbol(image, options.symbol);
   if (image.container != "ELF object") return;
   if (image.symbols.size() != 1) {
-    if (image.symbols.empty()) throw UsageError("the object has no global function; use --at");
+    if (image.symbols.empty())
+      throw UsageError("the object has no global function; make the routine global");
     enter_symbol(image, "");  // throws with the names
   }
   image.entry = image.symbols.front().offset;
@@ -113,11 +114,33 @@ bool is_source(const std::string& path) {
   return has_extension(path, ".asm") || has_extension(path, ".nasm");
 }
 
+void set_bits(Image& image, std::optional<int> known) {
+  image.bits = known.value_or(16);
+  image.has_assumed_bits = !known;
+}
+
 Image image_of_source(const std::string& path, const LoadOptions& options) {
   Image image;
-  image.bits = options.bits.value_or(16);
+  const std::optional<int> stated = bits_of_source(path);
+  if (options.bits && stated && options.bits != stated) {
+    throw UsageError(fmt::format("--bits {}: the source says bits {}; leave --bits out",
+                                 *options.bits, *stated));
+  }
+  set_bits(image, options.bits ? options.bits : stated);
   load_source(image, path);
   return image;
+}
+
+/// Refuses files that are not machine code, so that they are not taken for a flat binary.
+void expect_machine_code(const std::string& path) {
+  for (const char* extension : {".s", ".c", ".cc", ".cpp", ".cxx", ".pas", ".bas"}) {
+    if (has_extension(path, extension)) {
+      throw UsageError("is a source; compile it, as with gcc -m32 -c, and give the object");
+    }
+  }
+  if (has_extension(path, ".obj")) {
+    throw UsageError("is an object, but not ELF; link it to a .COM program or an .EXE");
+  }
 }
 
 Image image_of(const std::string& path, const std::string& bytes, const LoadOptions& options) {
@@ -133,7 +156,8 @@ Image image_of(const std::string& path, const std::string& bytes, const LoadOpti
     image.container = ".COM program";
     load_flat(image, bytes, com_origin);
   } else {
-    image.bits = options.bits.value_or(16);
+    expect_machine_code(path);
+    set_bits(image, options.bits);
     image.container = "flat binary";
     load_flat(image, bytes, 0);
   }

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <map>
 
+#include "judge/call.hpp"
 #include "judge/load.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -21,6 +23,14 @@ constexpr std::size_t max_code_bytes = 0x100000;
 /// The names that are read, together. Those of C++ may be long, those of a damaged file of any
 /// length.
 constexpr std::size_t max_name_bytes = std::size_t{1} << 22U;
+/// A name that the object lacks gets an address beyond all memory, so that its use faults, and this
+/// many bytes around the address, so that the fault tells the name.
+constexpr std::uint32_t first_missing = 0x80000000;
+constexpr std::uint32_t bytes_of_missing = 2 * Symbol::reach;
+constexpr std::size_t max_missing = first_missing / bytes_of_missing;
+
+/// GCC's function for position-independent code. No user asks for it.
+bool is_thunk(const std::string& name) { return name.starts_with("__x86.get_pc_thunk."); }
 
 class Object {
  public:
@@ -41,8 +51,8 @@ class Object {
     for (std::uint32_t i = 0; i < header.e_shnum; ++i) {
       sections_.push_back(at<Elf32_Shdr>(header.e_shoff + std::uint64_t{i} * sizeof(Elf32_Shdr)));
     }
-    place();
     expect_sound_tables();
+    place();
     read_symbols();
     for (const Elf32_Shdr& section : sections_) {
       if (section.sh_type == SHT_REL) relocate(section);
@@ -55,7 +65,7 @@ class Object {
   }
 
  private:
-  static UsageError damaged() { return UsageError("the ELF file is damaged"); }
+  static UsageError damaged() { return UsageError{"the ELF file is damaged"}; }
 
   template <class T>
   [[nodiscard]] T at(std::uint64_t offset) const {
@@ -81,31 +91,64 @@ class Object {
     return section < sections_.size() && (sections_[section].sh_flags & SHF_ALLOC) != 0;
   }
 
+  /// Appends zeros to the code and data, and returns where they start.
+  static std::uint32_t reserve(std::string& flat, std::size_t alignment, std::size_t size) {
+    if (alignment > 0x1000) throw damaged();
+    if (flat.size() + alignment + size > max_code_bytes) {
+      throw UsageError("the ELF file has more than 1 MiB of code and data");
+    }
+    if (alignment > 1) flat.resize((flat.size() + alignment - 1) / alignment * alignment);
+    const auto start = static_cast<std::uint32_t>(flat.size());
+    flat.resize(flat.size() + size);
+    return start;
+  }
+
   /// Places the sections one after the other.
   void place() {
     std::string flat;
     for (Elf32_Shdr& section : sections_) {
       if ((section.sh_flags & SHF_ALLOC) == 0) continue;
-      const std::size_t alignment = section.sh_addralign == 0 ? 1 : section.sh_addralign;
-      if (alignment > 0x1000) throw damaged();
-      if (flat.size() + alignment + std::size_t{section.sh_size} > max_code_bytes) {
-        throw UsageError("the ELF file has more than 1 MiB of code and data");
+      const std::uint32_t start = reserve(flat, section.sh_addralign, section.sh_size);
+      section.sh_addr = origin + start;
+      if (section.sh_type == SHT_NOBITS) continue;
+      if (section.sh_offset > bytes_.size() ||
+          bytes_.size() - section.sh_offset < section.sh_size) {
+        throw damaged();
       }
-      flat.resize((flat.size() + alignment - 1) / alignment * alignment);
-      section.sh_addr = origin + static_cast<std::uint32_t>(flat.size());
-      if (section.sh_type == SHT_NOBITS) {
-        flat.resize(flat.size() + section.sh_size);
-      } else {
-        if (section.sh_offset > bytes_.size() ||
-            bytes_.size() - section.sh_offset < section.sh_size) {
-          throw damaged();
-        }
-        flat.append(bytes_, section.sh_offset, section.sh_size);
-      }
+      flat.replace(start, section.sh_size, bytes_, section.sh_offset, section.sh_size);
     }
     if (flat.empty()) throw UsageError("the ELF file has no code");
+    place_common_symbols(flat);
+    place_offset_table(flat);
     image_.container = "ELF object";
     load_flat(image_, flat, origin);
+  }
+
+  /// Places variables without a section, which older compilers make of `int counter;` in C.
+  void place_common_symbols(std::string& flat) {
+    for (const Elf32_Shdr& table : sections_) {
+      if (table.sh_type != SHT_SYMTAB) continue;
+      for (std::uint32_t i = 0; i < table.sh_size / sizeof(Elf32_Sym); ++i) {
+        const auto symbol = at<Elf32_Sym>(table.sh_offset + i * sizeof(Elf32_Sym));
+        if (symbol.st_shndx != SHN_COMMON) continue;
+        common_[i] = origin + reserve(flat, symbol.st_value, symbol.st_size);
+      }
+    }
+  }
+
+  /// Places the global offset table of position-independent code. Each relocation that needs an
+  /// entry gets one of its own.
+  void place_offset_table(std::string& flat) {
+    flat.resize((flat.size() + 3) / 4 * 4);
+    offset_table_ = next_entry_ = origin + static_cast<std::uint32_t>(flat.size());
+    for (const Elf32_Shdr& list : sections_) {
+      if (list.sh_type != SHT_REL || !is_placed(list.sh_info)) continue;
+      for (std::uint32_t i = 0; i < list.sh_size / sizeof(Elf32_Rel); ++i) {
+        const auto one = at<Elf32_Rel>(list.sh_offset + i * sizeof(Elf32_Rel));
+        const std::uint32_t type = ELF32_R_TYPE(one.r_info);
+        if (type == R_386_GOT32 || type == R_386_GOT32X) flat.append(4, '\0');
+      }
+    }
   }
 
   /// One table of symbols, and relocations that do not share bytes: otherwise a
@@ -134,8 +177,10 @@ class Object {
             is_placed(symbol.st_shndx) && (section(symbol.st_shndx).sh_flags & SHF_EXECINSTR) != 0;
         const auto binding = ELF32_ST_BIND(symbol.st_info);
         if (!is_code || symbol.st_name == 0 || binding == STB_LOCAL) continue;
-        image_.symbols.push_back({text_at(section(table.sh_link), symbol.st_name),
-                                  section(symbol.st_shndx).sh_addr + symbol.st_value});
+        std::string name = text_at(section(table.sh_link), symbol.st_name);
+        if (is_thunk(name)) continue;
+        image_.symbols.push_back(
+            {std::move(name), section(symbol.st_shndx).sh_addr + symbol.st_value});
       }
     }
   }
@@ -144,12 +189,61 @@ class Object {
     if (number >= table.sh_size / sizeof(Elf32_Sym)) throw damaged();
     const auto symbol = at<Elf32_Sym>(table.sh_offset + number * sizeof(Elf32_Sym));
     if (symbol.st_shndx == SHN_ABS) return symbol.st_value;
-    if (!is_placed(symbol.st_shndx)) {
-      throw UsageError(
-          fmt::format("the code uses {}, which the object does not have",
-                      support::quoted(text_at(section(table.sh_link), symbol.st_name))));
+    if (const auto place = common_.find(number); place != common_.end()) return place->second;
+    if (is_placed(symbol.st_shndx)) return section(symbol.st_shndx).sh_addr + symbol.st_value;
+    if (ELF32_ST_BIND(symbol.st_info) == STB_WEAK) return 0;
+    const auto [known, is_new] = missing_.try_emplace(number, 0);
+    if (is_new) {
+      if (image_.missing.size() == max_missing) throw damaged();
+      known->second = first_missing + Symbol::reach +
+                      static_cast<std::uint32_t>(image_.missing.size()) * bytes_of_missing;
+      image_.missing.push_back({text_at(section(table.sh_link), symbol.st_name), known->second});
     }
-    return section(symbol.st_shndx).sh_addr + symbol.st_value;
+    return known->second;
+  }
+
+  /// All 16-bit addresses have memory, so no fault tells that a name is missing.
+  void expect_present(const Elf32_Shdr& table, std::uint32_t number) {
+    if (!missing_.contains(number)) return;
+    const auto symbol = at<Elf32_Sym>(table.sh_offset + number * sizeof(Elf32_Sym));
+    throw UsageError(fmt::format("the code uses {}, which the object does not have",
+                                 support::quoted(text_at(section(table.sh_link), symbol.st_name))));
+  }
+
+  [[nodiscard]] std::uint32_t entry_for(std::uint32_t value) {
+    store(image_.memory.data() + next_entry_, value, 4);
+    next_entry_ += 4;
+    return next_entry_ - 4;
+  }
+
+  /// Returns what a relocation adds to the bytes at `place`.
+  [[nodiscard]] std::uint32_t addend_of(const Elf32_Rel& one, const Elf32_Shdr& symbols,
+                                        std::uint32_t place) {
+    const std::uint32_t type = ELF32_R_TYPE(one.r_info);
+    if (type == R_386_GOTPC) return offset_table_ - place;
+    const std::uint32_t value = value_of(symbols, ELF32_R_SYM(one.r_info));
+    switch (type) {
+      case R_386_16:
+      case R_386_PC16:
+        expect_present(symbols, ELF32_R_SYM(one.r_info));
+        return type == R_386_16 ? value : value - place;
+      case R_386_32:
+        return value;
+      case R_386_PC32:
+      case R_386_PLT32:
+        return value - place;
+      case R_386_GOTOFF:
+        return value - offset_table_;
+      case R_386_GOT32:
+      case R_386_GOT32X: {
+        // Without a base register, the ModR/M byte before the place asks for an absolute address.
+        const bool is_absolute = (image_.memory[place - 1] & 0xC7U) == 5;
+        return entry_for(value) - (is_absolute ? 0 : offset_table_);
+      }
+      default:
+        throw UsageError(fmt::format(
+            "the object has a relocation of type {}; compile with -fno-pic -fno-pie", type));
+    }
   }
 
   void relocate(const Elf32_Shdr& list) {
@@ -161,28 +255,9 @@ class Object {
       const std::uint32_t size = type == R_386_16 || type == R_386_PC16 ? 2 : 4;
       if (one.r_offset > to.sh_size || to.sh_size - one.r_offset < size) throw damaged();
       const std::uint32_t place = to.sh_addr + one.r_offset;
-      std::uint32_t value = value_of(section(list.sh_link), ELF32_R_SYM(one.r_info));
-      switch (type) {
-        case R_386_32:
-        case R_386_16:
-          break;
-        case R_386_PC32:
-        case R_386_PLT32:
-        case R_386_PC16:
-          value -= place;
-          break;
-        default:
-          throw UsageError(
-              fmt::format("the object has a relocation of type {}; compile with -fno-pic", type));
-      }
-      std::uint32_t carry = value;
-      std::uint32_t sum = 0;
-      for (std::uint32_t byte = 0; byte < size; ++byte) {
-        sum += image_.memory[place + byte] + (carry & 0xFFU);
-        image_.memory[place + byte] = static_cast<std::uint8_t>(sum);
-        sum >>= 8U;
-        carry >>= 8U;
-      }
+      std::uint8_t* const bytes = image_.memory.data() + place;
+      const std::uint32_t addend = addend_of(one, section(list.sh_link), place);
+      store(bytes, fetch(bytes, static_cast<int>(size)) + addend, static_cast<int>(size));
     }
   }
 
@@ -190,6 +265,10 @@ class Object {
   const std::string& bytes_;
   std::vector<Elf32_Shdr> sections_;
   std::size_t name_bytes_ = 0;
+  std::map<std::uint32_t, std::uint32_t> missing_;  ///< the addresses of missing symbols
+  std::map<std::uint32_t, std::uint32_t> common_;   ///< those of variables without a section
+  std::uint32_t offset_table_ = 0;
+  std::uint32_t next_entry_ = 0;  ///< the first free one of the table
 };
 
 }  // namespace

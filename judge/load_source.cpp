@@ -1,10 +1,15 @@
 #include <fmt/format.h>
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp() is POSIX's
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "judge/assemble.hpp"
@@ -84,22 +89,63 @@ std::uint32_t read_map(Image& image, const std::string& map) {
   return origin;
 }
 
+/// Splits a line of a source into words of lower case, without brackets and the comment.
+std::vector<std::string> words_of(std::string line) {
+  line.resize(std::min(line.size(), line.find(';')));
+  for (char& c : line) {
+    const auto byte = static_cast<unsigned char>(c);
+    c = c == '[' || c == ']' ? ' ' : static_cast<char>(std::tolower(byte));
+  }
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// Directives that may stand before the one that states the width.
+bool is_directive(const std::string& word) {
+  constexpr std::array<std::string_view, 8> names{"org",     "cpu",     "global", "extern",
+                                                  "section", "segment", "static", "default"};
+  return word.starts_with('%') || std::find(names.begin(), names.end(), word) != names.end();
+}
+
 }  // namespace
+
+std::optional<int> bits_of_source(const std::string& path) {
+  std::istringstream lines(support::read_bounded(path, max_bytes));
+  for (std::string line; std::getline(lines, line);) {
+    const std::vector<std::string> words = words_of(line);
+    if (words.empty()) continue;
+    std::string width;
+    if (words[0] == "bits" && words.size() == 2) width = words[1];
+    if (words[0].starts_with("use")) width = words[0].substr(3);
+    if (width == "64") {
+      throw UsageError("the source is for 64 bits; judge runs code of 16 or 32 bits");
+    }
+    if (width == "16" || width == "32") return width == "16" ? 16 : 32;
+    if (!is_directive(words[0])) break;
+  }
+  return std::nullopt;
+}
 
 void load_source(Image& image, const std::string& path) {
   image.container = "NASM source";
   const Scratch scratch;
   const std::string code = scratch.file("code");
   const std::string map = scratch.file("map");
+  // A name that starts with a minus sign must not be an option.
+  const std::string name = path.starts_with('-') ? "./" + path : path;
   const proof::Output output =
       run_nasm({"--before", fmt::format("[bits {}]", image.bits), "--before",
-                fmt::format("[map symbols {}]", map), "-o", code, path});
+                fmt::format("[map symbols {}]", map), "-o", code, name});
   if (!output.in_time) throw UsageError("nasm does not finish");
   if (output.status != 0) {
     // The text is "FILE:LINE: error: what"; load() adds the file.
     std::string said = output.err.substr(0, output.err.find('\n'));
-    if (said.starts_with(path + ":")) said.erase(0, path.size() + 1);
-    throw UsageError(fmt::format("nasm: {}", support::printable(said)));
+    if (said.starts_with(name + ":")) said.erase(0, name.size() + 1);
+    const bool is_wide = said.ends_with("in 16-bit mode") || said.ends_with("in 32-bit mode") ||
+                         said.ends_with("in non-64-bit mode");
+    throw UsageError(fmt::format(
+        "nasm: {}{}", support::printable(said),
+        is_wide ? "; judge runs code of 16 bits, or with --bits 32 of 32, not of 64" : ""));
   }
   const std::uint32_t origin = read_map(image, support::read_bounded(map, max_bytes));
   load_flat(image, support::read_bounded(code, max_bytes), origin);

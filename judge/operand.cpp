@@ -35,6 +35,13 @@ std::optional<std::uint32_t> number_in(std::string_view text) {
 
 /// Parses the text between brackets: registers and numbers with signs between them.
 bool read_address(std::string_view text, Operand& operand) {
+  // ndisasm writes the width of a fixed address that a ModR/M byte asks for.
+  for (const auto& [word, bits] : {std::pair<std::string_view, int>{"word ", 16},
+                                   std::pair<std::string_view, int>{"dword ", 32}}) {
+    if (!text.starts_with(word)) continue;
+    text.remove_prefix(word.size());
+    operand.address_bits = bits;
+  }
   while (!text.empty()) {
     const std::size_t next = text.find_first_of("+-", 1);
     std::string_view part = text.substr(0, next);

@@ -65,7 +65,9 @@ class SymbolicMachine {
 
   /// @throws Obstacle unless the address is a constant
   std::uint32_t address_of(const Thread& thread, const Operand& o) {
-    const int bits = o.bases.empty() ? width() : bits_of(o.bases.front());
+    const int bits = !o.bases.empty()      ? bits_of(o.bases.front())
+                     : o.address_bits != 0 ? o.address_bits
+                                           : width();
     Term sum = t_.constant(o.value, bits);
     for (const RegisterName& base : o.bases) {
       sum = t_.add(thread.state.read(t_, base.number, base.size), sum);

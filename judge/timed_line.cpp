@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "x86model/flags.hpp"
+
 namespace fixproof::judge {
 
 namespace {
@@ -68,10 +70,12 @@ void count_parts(TimedLine& timed, std::span<const std::uint8_t> bytes, int code
     timed.needs_386 |= bytes[at] >= 0x64 && bytes[at] <= 0x67;
   }
   timed.prefixes = static_cast<int>(at);
+  timed.has_wide_addresses = wide;
   const bool is_long = byte_at(at) == 0x0F;
   if (is_long) ++at;
   timed.needs_386 |= is_long;  // the table has no 0F of a 286
   const std::uint8_t opcode = byte_at(at++);
+  timed.opcode = opcode;
   timed.uses_accumulator =
       !is_long && ((opcode >= 0xA0 && opcode <= 0xA3) || (opcode < 0x40 && (opcode & 6U) == 4) ||
                    (opcode & 0xFEU) == 0xA8 || (opcode > 0x90 && opcode < 0x98));
@@ -121,7 +125,7 @@ bool is_shift(std::string_view m) {
 }
 
 /// Reads one operand into the shape and what depends on it.
-void add_operand(TimedLine& timed, std::string text, std::span<const std::uint8_t> bytes) {
+void add_operand(TimedLine& timed, std::string text) {
   if (is_one_of(text, {"cs", "ds", "es", "ss", "fs", "gs"})) {
     timed.shape += 's';
     timed.needs_386 |= text == "fs" || text == "gs";
@@ -153,11 +157,9 @@ void add_operand(TimedLine& timed, std::string text, std::span<const std::uint8_
       timed.bases = o.bases;
       return;
     case Operand::Kind::immediate: {
-      const std::uint8_t opcode = static_cast<std::size_t>(timed.prefixes) < bytes.size()
-                                      ? bytes[static_cast<std::size_t>(timed.prefixes)]
-                                      : std::uint8_t{0};
-      const bool by_one = counts && (opcode == 0xD0 || opcode == 0xD1);
-      timed.shape += by_one ? '1' : timed.mnemonic == "imul" && opcode == 0x6B ? 'b' : 'i';
+      const bool by_one = counts && (timed.opcode == 0xD0 || timed.opcode == 0xD1);
+      const bool by_byte = timed.mnemonic == "imul" && timed.opcode == 0x6B;
+      timed.shape += by_one ? '1' : by_byte ? 'b' : 'i';
       timed.immediate = o.value;
       return;
     }
@@ -170,6 +172,29 @@ bool is_conditional(const std::string& mnemonic) {
   return mnemonic.starts_with('j') && !is_one_of(mnemonic, {"jmp", "jcxz", "jecxz"});
 }
 
+bool may_pass(const std::string& mnemonic) {
+  return is_conditional(mnemonic) || mnemonic.starts_with("loop") || mnemonic.ends_with("cxz");
+}
+
+bool is_taken(const TimedLine& line, const Registers& before) {
+  const auto has = [&](unsigned flag) { return (before.flags & flag) != 0; };
+  if (is_conditional(line.mnemonic)) {
+    using enum x86model::Flag;
+    const bool is_less = has(SF) != has(OF);
+    // In the order of the opcodes. An odd opcode has the opposite condition.
+    const std::array holds{has(OF), has(CF), has(ZF), has(CF) || has(ZF),
+                           has(SF), has(PF), is_less, is_less || has(ZF)};
+    return holds.at(line.opcode >> 1U & 7U) != ((line.opcode & 1U) != 0);
+  }
+  if (!may_pass(line.mnemonic)) return true;
+  const RegisterName counter{Register::cx, line.has_wide_addresses ? Size::dword : Size::word};
+  const std::uint32_t count = before.read(counter);
+  if (line.mnemonic.ends_with("cxz")) return count == 0;
+  if (count == 1) return false;
+  if (line.mnemonic == "loope") return has(x86model::ZF);
+  return line.mnemonic != "loopne" || !has(x86model::ZF);
+}
+
 TimedLine timed_line(const Line& line, std::span<const std::uint8_t> bytes, int code_bits) {
   TimedLine timed;
   timed.line = line;
@@ -180,7 +205,7 @@ TimedLine timed_line(const Line& line, std::span<const std::uint8_t> bytes, int 
     return timed;
   }
   for (const std::string& operand : operands_in(line, timed.mnemonic)) {
-    add_operand(timed, operand, bytes);
+    add_operand(timed, operand);
   }
   if (timed.bits == 0 && timed.shape.starts_with("m")) timed.bits = code_bits;
   const std::string& m = timed.mnemonic;
@@ -193,13 +218,18 @@ TimedLine timed_line(const Line& line, std::span<const std::uint8_t> bytes, int 
     timed.writes = ax_and_dx;
   }
   if (is_one_of(m, {"cwd", "cdq"})) timed.writes = 1U << 2U;
-  if (is_one_of(m, {"cbw", "cwde", "lahf", "lodsb", "lodsw", "lodsd"})) timed.writes |= 1U;
-  if (m.starts_with("stos") || m.starts_with("movs")) {
+  if (is_one_of(m, {"cbw", "cwde", "lahf", "lodsb", "lodsw", "lodsd", "xlatb", "aam", "aad"}))
+    timed.writes |= 1U;
+  // MOVSX has operands.
+  const bool takes_two_strings =
+      timed.shape.empty() && (m.starts_with("movs") || m.starts_with("cmps"));
+  if (takes_two_strings || m.starts_with("stos") || m.starts_with("scas")) {
     timed.writes |= 1U << static_cast<unsigned>(Register::di);
   }
-  if (m.starts_with("lods") || (m.starts_with("movs") && timed.shape.empty())) {
+  if (m.starts_with("lods") || takes_two_strings) {
     timed.writes |= 1U << static_cast<unsigned>(Register::si);
   }
+  if (m.starts_with("popa")) timed.writes = ~(1U << static_cast<unsigned>(Register::sp));
   if (m.starts_with("loop")) timed.writes |= 1U << static_cast<unsigned>(Register::cx);
   return timed;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/call.hpp"
 #include "judge/listing.hpp"
 #include "judge/operand.hpp"
 #include "x86model/instruction.hpp"
@@ -30,6 +31,8 @@ struct TimedLine {
   bool has_displacement = false;    ///< of a memory operand
   std::vector<RegisterName> bases;  ///< of a memory operand, the index too
   std::uint32_t immediate = 0;      ///< the last one
+  std::uint8_t opcode = 0;          ///< the byte after the prefixes and 0F
+  bool has_wide_addresses = false;  ///< 32 bits: LOOP counts in ECX
   /// The registers that it writes as an operand, for the next instruction's wait on a 486.
   unsigned writes = 0;
 };
@@ -40,5 +43,9 @@ TimedLine timed_line(const Line& line, std::span<const std::uint8_t> bytes, int 
 
 /// Tells whether it is a conditional jump on flags.
 bool is_conditional(const std::string& mnemonic);
+/// Tells whether it is a jump that may not be taken.
+bool may_pass(const std::string& mnemonic);
+/// Tells whether a jump is taken, from the registers before it. Any other instruction is.
+bool is_taken(const TimedLine& line, const Registers& before);
 
 }  // namespace fixproof::judge

@@ -39,23 +39,24 @@ int size_of(const cases::Variant& v, std::span<const std::uint32_t> words) {
   return size;
 }
 
-/// Returns the simplest wrong case that shrinking a wrong case finds.
-check::JudgedCase smallest_from(const Subject& subject, const check::Rules& rules, On machine,
-                                std::vector<std::uint32_t> words) {
+/// Returns the simplest wrong case that shrinking a wrong case finds. Returns nothing if the case
+/// is not wrong again.
+std::optional<check::JudgedCase> smallest_from(const Subject& subject, const check::Rules& rules,
+                                               On machine, std::vector<std::uint32_t> words) {
   Runner runner(subject, machine);
   const auto judged = [&](std::span<const std::uint32_t> tried) {
     check::JudgedCase one = judged_case(subject.variant, tried, runner.answers(tried).front());
     one.read_by(rules);
     return one;
   };
+  if (is_right(rules, judged(words))) return std::nullopt;
   if (subject.variant.format.word_bits <= 32) {
-    check::JudgedCase before = judged(words);
-    if (is_right(rules, before)) return before;  // not wrong again: see Verdict::unsteady
     words = verify::shrink(
         std::move(words), subject.variant.format.word_bits,
         [&](std::span<const std::uint32_t> tried) { return !is_right(rules, judged(tried)); });
   }
-  return judged(words);
+  check::JudgedCase smallest = judged(words);
+  return is_right(rules, smallest) ? std::nullopt : std::optional(std::move(smallest));
 }
 
 struct Judging {
@@ -117,7 +118,7 @@ Verdict judge_routine(const Subject& subject, const VerdictOptions& options) {
     Judging guess{subject, used};
     guess.verdict.rules = options.rules;
     guess.run();
-    if (guess.verdict.stuck) return std::move(guess.verdict);
+    if (guess.verdict.stuck || guess.verdict.state) return std::move(guess.verdict);
     used = options;
     const auto best = guess.verdict.judge->trial().rounding().rules.front();
     used.rules.rounding = check::roundings()[best];
@@ -197,7 +198,7 @@ WholeVerdict judge_whole(const Subject& subject, const VerdictOptions& options) 
   guess.cases.cases = std::min(options.cases.cases.value_or(cases_for_choice), cases_for_choice);
   guess.progress = {};
   WholeVerdict first = judged(guess, candidates_for(subject.variant.operation));
-  if (first.verdict.stuck) return first;
+  if (first.verdict.stuck || first.verdict.state) return first;
   const std::uint64_t least = first.candidates.front().exceptions;
   std::vector<Candidate> best;
   for (const Candidate& candidate : first.candidates) {

@@ -10,6 +10,7 @@
 
 #include "check/cases.hpp"
 #include "check/judge.hpp"
+#include "judge/kept_state.hpp"
 #include "judge/runner.hpp"
 
 namespace fixproof::judge {
@@ -43,9 +44,12 @@ struct Verdict {
   std::optional<Incident> stuck{};          ///< a call that neither returned nor raised #DE
   std::optional<Incident> not_preserved{};  ///< the first case that breaks the convention
   std::uint64_t not_preserved_count = 0;
-  std::optional<Incident> unsteady{};           ///< a case with another result in a second run
+  std::optional<Incident> unsteady{};  ///< a case with another result in a second run
+  bool is_steady_on_processor =
+      false;  ///< whether only Unicorn gives the unsteady case another result
+  std::optional<KeptState> state{};             ///< why the case is unsteady, if memory is why
   unsigned changed = 0;                         ///< see Call::changed()
-  std::optional<check::JudgedCase> smallest{};  ///< the simplest wrong case
+  std::optional<check::JudgedCase> smallest{};  ///< the simplest case that is wrong when run again
 
   [[nodiscard]] bool is_right() const {
     return !stuck && !not_preserved && !unsteady && (!judge || judge->wrong().count() == 0);

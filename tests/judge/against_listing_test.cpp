@@ -94,7 +94,7 @@ TEST(AgainstListing, TheShareCountsEachByteOfTheRangeOnce) {
 TEST(AgainstListing, OptionsThatItWouldIgnoreAreRefused) {
   for (const char* option : {"--rounding|floor", "--format|q8_8", "--cases|5", "--rule|doom"}) {
     command::expect_usage_error(judge("x", std::string("--against-listing|mul|") + option),
-                                "excludes");
+                                "has no effect with --against-listing; leave it out");
   }
 }
 

@@ -150,7 +150,27 @@ TEST(JudgeClocks, JumpsTakenAndNot) {
                 {2 + 4 + 3 + 20, 2 + 3 + 3 + 14, 2 + 3 + 3 + 13, {9, 9}});
 }
 
-// The figures are those of the published tables in judge/clock_table.cpp. RET: 20, 14, 13, 5.
+TEST(JudgeClocks, AJumpToTheNextInstruction) {
+  if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
+  expect_clocks("stc\njc .end\n.end: ret", {2 + 16 + 20, 2 + 8 + 14, 2 + 8 + 13, 2 + 3 + 5});
+  expect_clocks("clc\njc .end\n.end: ret", {2 + 4 + 20, 2 + 3 + 14, 2 + 3 + 13, 2 + 1 + 5});
+  expect_clocks("mov cx, 1\ncmp cx, 2\njg .end\n.end: ret",
+                {4 + 4 + 4 + 20, 2 + 3 + 3 + 14, 2 + 2 + 3 + 13, 1 + 1 + 1 + 5});
+  expect_clocks("mov cx, 1\nloop .end\n.end: ret",
+                {4 + 5 + 20, 2 + 4 + 14, 2 + 12 + 13, 1 + 6 + 5});
+  expect_clocks("mov cx, 2\nloop .end\n.end: ret",
+                {4 + 17 + 20, 2 + 9 + 14, 2 + 12 + 13, 1 + 7 + 5});
+}
+
+TEST(JudgeClocks, AnExtensionDoesNotWriteTheStringRegisters) {
+  if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
+  expect_clocks("mov di, 0x100\nnop\nmovsx cx, al\nmov dx, [di]\nret",
+                {{}, {}, 2 + 3 + 3 + 4 + 13, 1 + 1 + 3 + 1 + 5});
+  expect_clocks("mov di, 0x100\nnop\nmovsx di, al\nmov dx, [di+0x100]\nret",
+                {{}, {}, 2 + 3 + 3 + 4 + 13, 1 + 1 + 3 + (1 + 1) + 5});
+}
+
+// The figures are those of the published tables in judge/clock_rows.hpp. RET: 20, 14, 13, 5.
 TEST(JudgeClocks, TheSourcesDifferOnSubtractAndOrWithMemoryOnA386) {
   if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
   expect_clocks("push ax\nmov bp, sp\nnop\nsub ax, [bp+0]\nor [bp+0], bl\npop ax\nret",
@@ -165,6 +185,25 @@ TEST(JudgeClocks, TheSourcesDifferOnSubtractAndOrWithMemoryOnA386) {
                  3 + 2 + 3 + 7 + 7 + 5 + 14,
                  2 + 2 + 3 + 6 + 7 + 4 + 13,
                  {1 + 1 + 1 + 2 + 3 + 1 + 5, 1 + 1 + 1 + 2 + 3 + 4 + 5}});
+}
+
+TEST(JudgeClocks, FlagsTablesAndStringsOfTheCommonKind) {
+  if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
+  expect_clocks("pushf\npopf\nret", {14 + 12 + 20, 3 + 5 + 14, 4 + 5 + 13, 4 + 9 + 5});
+  expect_clocks("lahf\nsahf\ncbw\ncwd\nret",
+                {4 + 4 + 2 + 5 + 20, 2 + 2 + 2 + 2 + 14, 2 + 3 + 3 + 2 + 13, 3 + 2 + 3 + 3 + 5});
+  expect_clocks("mov bx, 0x100\nnop\nxlatb\nret",
+                {4 + 3 + 11 + 20, 2 + 3 + 5 + 14, 2 + 3 + 5 + 13, 1 + 1 + 4 + 5});
+  expect_clocks("mov al, 57\naam\naad\nret",
+                {4 + 83 + 60 + 20, 2 + 16 + 14 + 14, 2 + 17 + 19 + 13, 1 + 15 + 14 + 5});
+  expect_clocks("pusha\nnop\npopa\nret", {{}, 17 + 3 + 19 + 14, 18 + 3 + 24 + 13, 11 + 1 + 9 + 5});
+  expect_clocks("mov si, 0x100\nmov di, 0x180\ncmpsb\ncmpsw\nscasb\nscasw\nret",
+                {4 + 4 + 22 + 30 + 15 + 19 + 20, 2 + 2 + 8 + 8 + 7 + 7 + 14,
+                 2 + 2 + 10 + 10 + 7 + 7 + 13, 1 + 1 + 8 + 8 + 6 + 6 + 5});
+  // A prefix of a 486 costs a clock, or is hidden.
+  expect_clocks("mov si, 0x100\nmov di, 0x180\nlodsd\nstosd\nmovsd\nret",
+                {{}, {}, 2 + 2 + 5 + 4 + 7 + 13, {1 + 1 + 5 + 5 + 7 + 5, 1 + 1 + 6 + 6 + 8 + 5}});
+  expect_clocks("setc al\nsetnz byte [0x100]\nret", {{}, {}, 4 + 5 + 13, 3 + 4 + 5});
 }
 
 TEST(JudgeClocks, TestOfMemoryByAConstant) {
@@ -204,6 +243,15 @@ TEST(JudgeClocks, SomeInstructionsOfA386HaveNo32BitOperand) {
   expect_clocks("stc\njnc near .end\nnop\n.end: ret", {{}, {}, 2 + 3 + 3 + 13, 2 + 1 + 1 + 5});
   expect_clocks("mov ecx, 1\njecxz .end\nnop\n.end: ret",
                 {{}, {}, 2 + 5 + 3 + 13, {1 + 5 + 1 + 5, 2 + 6 + 1 + 5}});
+}
+
+TEST(JudgeClocks, AFixedAddressOf32Bits) {
+  if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
+  const RoutineClocks found =
+      clocks_of("mov ecx, [0x100]\nadd ecx, [0x100]\nret", "eax, ebx -> eax",
+                check::variant_of(cases::Operation::add, cases::q16_16), 32);
+  EXPECT_EQ(found.on.at(2).clocks.least(), 4U + 6U + 13U);
+  EXPECT_EQ(found.on.at(3).clocks.least(), 1U + 2U + 5U);
 }
 
 TEST(JudgeClocks, AnInstructionWithoutAFigureIsNamed) {

@@ -135,6 +135,16 @@ TEST(Containers, WhatCannotBeReadIsSaid) {
                               "the routine at 7h is outside the code, 0h to 1h");
 }
 
+TEST(Containers, ASourceOfAnotherKindIsNoFlatBinary) {
+  const ScratchFolder folder;
+  for (const std::string name : {"mul.s", "mul.S", "mul.c", "mul.cpp", "MUL.PAS"}) {
+    command::expect_usage_error(judge(folder.write(name, "ret"), "--as|mul"),
+                                name + ": is a source; compile it, as with gcc -m32 -c, and give ");
+  }
+  command::expect_usage_error(judge(folder.write("MUL.OBJ", "\x80"), "--as|mul"),
+                              "MUL.OBJ: is an object, but not ELF; link it to a .COM program or");
+}
+
 TEST(Containers, ASmallObjectThatAsksForMuchIsRefused) {
   const ScratchFolder folder;
   const auto refuse = [&](const std::string& object, const std::string& part) {

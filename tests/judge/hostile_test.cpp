@@ -6,12 +6,15 @@
 namespace {
 
 using judged::expect;
-using judged::in_registers;
 
-void expect_broken(const std::string& source, const std::string& what) {
+const std::string multiplies = "|--frame|eax, ebx -> eax|--as|mul";
+
+void expect_broken(const std::string& source, const std::string& what,
+                   const std::string& bits = "32") {
   SCOPED_TRACE(source);
   const ScratchFolder folder;
-  expect(judged::judge(folder.write("hostile.asm", source), in_registers), 1, {what});
+  expect(judged::judge(folder.write("hostile.asm", source), "--bits|" + bits + multiplies), 1,
+         {what});
 }
 
 TEST(Hostile, AnEndlessLoop) { expect_broken("jmp $", "the routine does not end"); }
@@ -30,6 +33,15 @@ TEST(Hostile, AWildPointer) {
 
 TEST(Hostile, ASystemCall) {
   expect_broken("mov eax, 1\nint 0x80\nret", "the routine calls interrupt 80h at 0005h");
+}
+
+TEST(Hostile, ASystemCallByAnInstruction) {
+  const std::string text = "the routine makes a system call at 000";
+  for (const std::string call : {"syscall", "sysenter"}) {
+    const std::string source = "imul ebx\nshrd eax, edx, 16\n" + call + "\nret";
+    expect_broken(source, text + "6h: routines run without a system");
+    expect_broken(source, text + "8h: routines run without a system", "16");
+  }
 }
 
 TEST(Hostile, AFork) {

@@ -22,6 +22,27 @@ TEST(JudgeProof, RightRoutinesAreProven) {
          {"PROVEN for all operands (2 paths"});
 }
 
+TEST(JudgeProof, AConstantInMemoryIsProven) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  const ScratchFolder folder;
+  const auto source = [](const std::string& half) {
+    return "imul ebx\nadd eax, [half]\nadc edx, 0\nshrd eax, edx, 16\nret\nhalf: dd " + half;
+  };
+  const std::string options = judged::in_registers + prove + "|--rounding|half-up";
+  expect(judge(folder.write("half.asm", source("0x8000")), options), 0,
+         {"PROVEN for all operands"});
+  expect(judge(folder.write("half.asm", source("0x7fff")), options), 1, {"DISPROVEN ("});
+}
+
+TEST(JudgeProof, AResultThatDependsOnEarlierCallsIsNotProven) {
+  const ScratchFolder folder;
+  const std::string source =
+      "imul ebx\nshrd eax, edx, 16\nadd eax, [last]\nxor dword [last], 1\nret\nlast: dd 0";
+  const auto run = judge(folder.write("state.asm", source), judged::in_registers + prove);
+  expect(run, 1, {"STATEFUL: for "});
+  EXPECT_EQ(run.out.find("PROVEN"), std::string::npos) << run.out;
+}
+
 TEST(JudgeProof, TheListedDivideIsProven) {
   if (!command::has("z3")) GTEST_SKIP() << "no z3";
   const ScratchFolder folder;

@@ -1,4 +1,5 @@
 // Right and subtly wrong routines. Their comments say what each verdict must be.
+#include "machine_code/host_segment.hpp"
 #include "tests/judge/judged.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
@@ -90,6 +91,63 @@ TEST(Judge, AFaultForOneDivisorIsFound) {
 TEST(Judge, AResultThatDependsOnNoiseIsUnsteady) {
   expect(judge(routine("own_noise"), in_registers + "|--cases|5000|--rounding|floor"), 1,
          {"UNSTEADY: for ", "WRONG in"});
+}
+
+TEST(Judge, AResultThatDependsOnEarlierCallsIsStateful) {
+  const ScratchFolder folder;
+  const std::string source =
+      "imul ebx\nshrd eax, edx, 16\ninc dword [calls]\nmov ecx, [calls]\nand ecx, 1\nadd eax, ecx\n"
+      "ret\ncalls: dd 0\n";
+  const auto run = judge(folder.write("state.asm", source), in_registers + "|--cases|5000");
+  expect(run, 1,
+         {"mul q16_16: any rounding; overflow any\n",
+          "the result depends on earlier calls: inc dword [dword 0x18] at 0006h reads 18h, and "
+          "inc dword [dword 0x18] at 0006h writes it. No rule is tried: the operands alone do not "
+          "decide the result\n\n40 calls step by step"});
+  EXPECT_EQ(run.out.find("expected"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("UNSTEADY"), std::string::npos) << run.out;
+  // What the routine writes before it reads it is no state.
+  expect(judge(folder.write("scratch.asm",
+                            "imul ebx\nshrd eax, edx, 16\nmov [last], eax\n"
+                            "mov eax, [last]\nret\nlast: dd 0\n"),
+               in_registers + "|--cases|5000"),
+         0, {"AGREES on 5,000 cases"});
+}
+
+TEST(Judge, ACaseThatIsNotWrongAgainIsNotTheSmallest) {
+  const ScratchFolder folder;
+  // What an earlier call left below the stack pointer is not memory of the routine.
+  const std::string source =
+      "imul ebx\nshrd eax, edx, 16\nmov ecx, [esp-64]\nand ecx, 1\nadd eax, ecx\n"
+      "inc dword [esp-64]\nret\n";
+  const auto run = judge(folder.write("stack.asm", source), in_registers + "|--cases|5000");
+  expect(run, 1, {"UNSTEADY: for ", "the result differs from call to call", "WRONG in"});
+  EXPECT_EQ(run.out.find("00000000 expected, 00000000 said"), std::string::npos) << run.out;
+}
+
+TEST(Judge, AResultThatDependsOnTheProcessorIsUnsteady) {
+  const std::string absence = fixproof::machine_code::HostSegment::absence();
+  if (!absence.empty()) GTEST_SKIP() << absence;
+  const ScratchFolder folder;
+  const std::string source =
+      "imul ebx\nshrd eax, edx, 16\nmov edi, eax\nmov eax, 1\ncpuid\nadd eax, edi\nret\n";
+  expect(judge(folder.write("cpuid.asm", source), in_registers + "|--cases|5000"), 1,
+         {"the result on Unicorn is not that on this processor"});
+}
+
+TEST(Judge, FloatingPointStartsAlikeOnBothMachines) {
+  expect(judge(routine("x87_floor"), in_registers + "|--cases|5000"), 0,
+         {"AGREES on 5,000 cases", "floor on all"});
+  // The control words and the tags of a new process on Linux.
+  const ScratchFolder folder;
+  const auto expect_state = [&](const std::string& store, const std::string& result) {
+    const std::string source = "sub esp, 28\nmov dword [esp], 0\n" + store + "\nadd esp, 28\nret";
+    expect(judge(folder.write("state.asm", source), in_registers + "|--trace|00000001 00000001"), 0,
+           {"returns " + result});
+  };
+  expect_state("fnstcw [esp]\nmov eax, [esp]", "0000037f");
+  expect_state("fnstenv [esp]\nmovzx eax, word [esp+8]", "0000ffff");
+  expect_state("stmxcsr [esp]\nmov eax, [esp]", "00001f80");
 }
 
 TEST(Judge, AProductOverADivisor) {

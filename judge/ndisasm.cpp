@@ -1,0 +1,69 @@
+#include "judge/ndisasm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <string_view>
+#include <system_error>
+
+#include "proof/process.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::judge {
+
+namespace {
+
+constexpr std::chrono::seconds time_to_disassemble{20};
+
+std::string output_of(const std::vector<std::string>& arguments, const std::string& bytes) {
+  try {
+    const proof::Output output = proof::run_program(arguments, bytes, time_to_disassemble);
+    if (!output.in_time) throw support::UsageError("ndisasm does not end");
+    return output.out;
+  } catch (const std::system_error& error) {
+    throw support::UsageError(fmt::format(
+        "ndisasm cannot be run: {}; install Debian's package nasm", error.code().message()));
+  }
+}
+
+std::string_view take_word(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+  const std::string_view word = line.substr(0, line.find(' '));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+/// Reads lines of an offset and the bytes, both in hex, then the text. The bytes of a long
+/// instruction go on in lines that start with blanks and a minus sign.
+std::vector<Line> lines_of(std::string_view output) {
+  std::vector<Line> lines;
+  while (!output.empty()) {
+    std::string_view rest = output.substr(0, output.find('\n'));
+    output.remove_prefix(std::min(rest.size() + 1, output.size()));
+    const bool goes_on = rest.starts_with(' ');
+    std::string_view word = take_word(rest);
+    if (goes_on) {
+      if (!lines.empty() && word.starts_with('-')) {
+        lines.back().bytes += static_cast<std::uint32_t>((word.size() - 1) / 2);
+      }
+      continue;
+    }
+    Line& line = lines.emplace_back();
+    std::from_chars(word.data(), word.data() + word.size(), line.at, 16);
+    line.bytes = static_cast<std::uint32_t>(take_word(rest).size() / 2);
+    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+    line.text = rest;
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<Line> disassembled(int bits, std::uint32_t origin, const std::string& bytes) {
+  return lines_of(
+      output_of({"ndisasm", "-b", std::to_string(bits), "-o", std::to_string(origin), "-"}, bytes));
+}
+
+}  // namespace fixproof::judge
