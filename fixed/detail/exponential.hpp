@@ -182,8 +182,14 @@ struct scaled_word {
 ///
 /// A double has both parts. The instruction bsr, which counts zeros on x86-64, waits for the last
 /// value of its destination register: in some programs each logarithm waited for the previous one.
+/// LZCNT does not wait, and with -march=native the conversion to double does.
 constexpr scaled_word scaled(std::uint64_t raw, int fraction_bits) noexcept {
-  if constexpr (hardware_double) {
+#if defined(__LZCNT__)
+  constexpr bool as_double = false;
+#else
+  constexpr bool as_double = hardware_double;
+#endif
+  if constexpr (as_double) {
     if (!std::is_constant_evaluated()) {
       constexpr std::uint64_t one = std::uint64_t{1} << 32;
       const auto bits =
