@@ -13,6 +13,7 @@
 
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/limited.hpp"
+#include "fixed/detail/operands.hpp"
 #include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
 
@@ -30,15 +31,11 @@ namespace detail::FIXED_FUNCTIONS {
 template <class Number, class... Operands>
 constexpr Number angle_of(std::int64_t y, std::int64_t x, const char* function,
                           Operands... operands) noexcept(Number::never_throws) {
-  static_assert(has_functions<Number>,
-                "angles need a format of at most 32 bits: convert, as in atan(q16_16(x))");
   return limited<Number>(nearest_angle(y, x, Number::fraction_bits), function, operands...);
 }
 
 template <triangle_side Side, class Number>
 constexpr Number triangle_angle(Number x, const char* function) noexcept(Number::never_throws) {
-  static_assert(has_functions<Number>,
-                "angles need a format of at most 32 bits: convert, as in asin(q16_16(x))");
   constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
   if (x.raw() > one || x.raw() < -one) return outside_domain<Number>(0, function, x);
   return limited<Number>(nearest_triangle_angle<Side>(x.raw(), Number::fraction_bits), function, x);
@@ -55,6 +52,7 @@ inline namespace FIXED_FUNCTIONS {
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> atan(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(atan, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::angle_of<number<Raw, F, P>>(x.raw(), std::int64_t{1} << F, "atan",
                                                               x);
 }
@@ -66,6 +64,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> atan2(number<Raw, F, P> y, number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(atan2, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::angle_of<number<Raw, F, P>>(y.raw(), x.raw(), "atan2", y, x);
 }
 
@@ -76,6 +75,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> asin(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(asin, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::sine>(x, "asin");
 }
 
@@ -85,8 +85,16 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> acos(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(acos, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::cosine>(x, "acos");
 }
+
+/// \cond
+FIXED_REFUSED_DOUBLE(atan)
+FIXED_REFUSED_DOUBLE(asin)
+FIXED_REFUSED_DOUBLE(acos)
+FIXED_REFUSED_PAIR(atan2)
+/// \endcond
 
 }  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

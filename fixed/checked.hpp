@@ -276,10 +276,10 @@ template <any_number N>
 template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_sqrt(N x) noexcept {
   if (x.raw() < 0) return std::nullopt;
-  using wrapping = number<typename N::raw_type, N::fraction_bits>;
-  const auto root = sqrt(wrapping::from_raw(x.raw()));
-  if (root.raw() < 0) return std::nullopt;
-  return N::from_raw(root.raw());
+  using raw = typename N::raw_type;
+  const auto root = detail::nearest_root<N::fraction_bits>(x.raw());
+  if (!detail::fits<raw>(root)) return std::nullopt;
+  return N::from_raw(static_cast<raw>(root));
 }
 
 /// Remembers whether any result of a block of code was out of range or did not exist.

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "fixed/detail/operands.hpp"
+#include "fixed/detail/raise.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
@@ -21,13 +23,49 @@ constexpr std::uint64_t magnitude(Raw raw) noexcept {
   return raw < 0 ? 0 - bits : bits;
 }
 
+/// x % y. Where that throws for a zero, the error names `function`.
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P> remainder_in(
+    const char* function, number<Raw, F, P> x,
+    number<Raw, F, P> y) noexcept(number<Raw, F, P>::divide_never_throws) {
+  if constexpr (!number<Raw, F, P>::divide_never_throws) {
+    if (y.raw() == 0) {
+      raise<divide_error>("divide error", function, operand<Raw, F>{x.raw()},
+                          operand<Raw, F>{y.raw()});
+    }
+  }
+  return x % y;
+}
+
+/// remquo() in the name of `function`.
+template <class Raw, int F, policy P>
+constexpr number<Raw, F, P> nearest_remainder_in(
+    const char* function, number<Raw, F, P> x, number<Raw, F, P> y,
+    int* quotient) noexcept(number<Raw, F, P>::divide_never_throws) {
+  const number<Raw, F, P> truncated = remainder_in(function, x, y);
+  *quotient = 0;
+  if (y.raw() == 0) return truncated;
+  const std::uint64_t divisor = magnitude(y.raw());
+  const std::uint64_t rest = magnitude(truncated.raw());
+  std::uint64_t whole = magnitude(x.raw()) / divisor;
+  const std::uint64_t missing = divisor - rest;
+  const bool up = rest > missing || (rest == missing && whole % 2 != 0);
+  if (up) ++whole;
+  const int low = static_cast<int>(whole & 0x7FFFFFFF);
+  *quotient = (x.raw() < 0) == (y.raw() < 0) ? low : -low;
+  if (!up) return truncated;
+  // At most half the divisor, on the other side of zero.
+  const auto other = static_cast<std::int64_t>(missing);
+  return number<Raw, F, P>::from_raw(static_cast<Raw>(x.raw() < 0 ? other : -other));
+}
+
 }  // namespace detail
 
 /// x % y: the remainder of the quotient truncated toward zero, with the sign of x. Exact.
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> fmod(number<Raw, F, P> x, number<Raw, F, P> y) noexcept(
     number<Raw, F, P>::divide_never_throws) {
-  return x % y;
+  return detail::remainder_in("fmod", x, y);
 }
 
 /// x - n * y, exact, where n is the integer nearest to x / y, ties to even. Sets *quotient to the
@@ -41,21 +79,7 @@ template <class Raw, int F, policy P>
 requires(std::is_signed_v<Raw>) [[nodiscard]] constexpr number<Raw, F, P> remquo(
     number<Raw, F, P> x, number<Raw, F, P> y,
     int* quotient) noexcept(number<Raw, F, P>::divide_never_throws) {
-  const number<Raw, F, P> truncated = x % y;
-  *quotient = 0;
-  if (y.raw() == 0) return truncated;
-  const std::uint64_t divisor = detail::magnitude(y.raw());
-  const std::uint64_t rest = detail::magnitude(truncated.raw());
-  std::uint64_t whole = detail::magnitude(x.raw()) / divisor;
-  const std::uint64_t missing = divisor - rest;
-  const bool up = rest > missing || (rest == missing && whole % 2 != 0);
-  if (up) ++whole;
-  const int low = static_cast<int>(whole & 0x7FFFFFFF);
-  *quotient = (x.raw() < 0) == (y.raw() < 0) ? low : -low;
-  if (!up) return truncated;
-  // At most half the divisor, on the other side of zero.
-  const auto other = static_cast<std::int64_t>(missing);
-  return number<Raw, F, P>::from_raw(static_cast<Raw>(x.raw() < 0 ? other : -other));
+  return detail::nearest_remainder_in("remquo", x, y, quotient);
 }
 
 /// The remainder of remquo().
@@ -65,7 +89,7 @@ template <class Raw, int F, policy P>
 requires(std::is_signed_v<Raw>) [[nodiscard]] constexpr number<Raw, F, P> remainder(
     number<Raw, F, P> x, number<Raw, F, P> y) noexcept(number<Raw, F, P>::divide_never_throws) {
   int quotient = 0;
-  return remquo(x, y, &quotient);
+  return detail::nearest_remainder_in("remainder", x, y, &quotient);
 }
 
 /// The fraction of x, with the sign of x. Sets *whole to trunc(x).
@@ -142,5 +166,10 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr bool(isnormal)(number<Raw, F, P> x) noexcept {
   return x.raw() != 0;
 }
+
+/// \cond
+FIXED_REFUSED_PAIR(fmod)
+FIXED_REFUSED_PAIR(remainder)
+/// \endcond
 
 }  // namespace fixproof

@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "fixed/detail/limited.hpp"
+#include "fixed/detail/operands.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
@@ -33,9 +34,6 @@ namespace detail::FIXED_FUNCTIONS {
 /// constant.
 template <class Number>
 constexpr std::int64_t exponent_units(Number x) noexcept {
-  static_assert(has_functions<Number>,
-                "exponentials and logarithms need a format of at most 32 bits: convert, as in "
-                "exp(q16_16(x))");
   constexpr std::int64_t limit = std::int64_t{64} << Number::fraction_bits;
   const std::int64_t raw{x.raw()};
   return (raw < -limit  ? -limit
@@ -58,9 +56,6 @@ template <logarithm_base Base, class Number>
 constexpr Number logarithm(Number x, std::int64_t more,
                            const char* function) noexcept(Number::never_throws) {
   using raw = typename Number::raw_type;
-  static_assert(has_functions<Number>,
-                "exponentials and logarithms need a format of at most 32 bits: convert, as in "
-                "log(q16_16(x))");
   const std::int64_t sum = x.raw() + more;
   if (sum <= 0) {
     return outside_domain<Number>((std::numeric_limits<raw>::min)(), function, x);
@@ -94,6 +89,7 @@ inline namespace FIXED_FUNCTIONS {
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> exp2(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(exp2, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::two>(x, 0, "exp2");
 }
 
@@ -103,6 +99,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> exp(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(exp, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e>(x, 0, "exp");
 }
 
@@ -112,6 +109,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> expm1(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(expm1, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e>(x, std::int64_t{1} << F,
                                                                            "expm1");
 }
@@ -123,6 +121,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(log, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e>(x, 0, "log");
 }
 
@@ -132,6 +131,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log1p(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(log1p, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e>(x, std::int64_t{1} << F,
                                                                        "log1p");
 }
@@ -142,6 +142,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log2(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(log2, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::two>(x, 0, "log2");
 }
 
@@ -151,6 +152,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log10(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(log10, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::ten>(x, 0, "log10");
 }
 
@@ -160,6 +162,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> sinh(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(sinh, number<Raw, F, P>);
   const std::int64_t ulps = detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::sine>(x);
   return detail::limited<number<Raw, F, P>>(x.raw() < 0 ? -ulps : ulps, "sinh", x);
 }
@@ -170,6 +173,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> cosh(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(cosh, number<Raw, F, P>);
   return detail::limited<number<Raw, F, P>>(
       detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::cosine>(x), "cosh", x);
 }
@@ -180,9 +184,23 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tanh(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(tanh, number<Raw, F, P>);
   const std::int64_t ulps = detail::FIXED_FUNCTIONS::hyperbolic_tangent(x);
   return detail::limited<number<Raw, F, P>>(x.raw() < 0 ? -ulps : ulps, "tanh", x);
 }
+
+/// \cond
+FIXED_REFUSED_DOUBLE(exp)
+FIXED_REFUSED_DOUBLE(exp2)
+FIXED_REFUSED_DOUBLE(expm1)
+FIXED_REFUSED_DOUBLE(log)
+FIXED_REFUSED_DOUBLE(log2)
+FIXED_REFUSED_DOUBLE(log10)
+FIXED_REFUSED_DOUBLE(log1p)
+FIXED_REFUSED_DOUBLE(sinh)
+FIXED_REFUSED_DOUBLE(cosh)
+FIXED_REFUSED_DOUBLE(tanh)
+/// \endcond
 
 }  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

@@ -102,7 +102,9 @@ template <class Raw, int F, policy P>
 }
 
 /// The number nearest to the square root, under every policy; there are no ties. The root of a
-/// negative number is 0; under overflow::trap it throws domain_error.
+/// negative number is 0; under overflow::trap it throws domain_error. Only in signed formats
+/// without a whole bit are some roots out of range. They throw an overflow_error under
+/// overflow::trap, and saturate under every other policy.
 ///
 ///     static_assert(sqrt(q16_16(2)).raw() == 92682 && sqrt(q16_16(-1)) == q16_16());  // 92681.9
 template <class Raw, int F, policy P>
@@ -114,8 +116,8 @@ template <class Raw, int F, policy P>
     }
   }
   const Raw positive = x.raw() < 0 ? Raw{0} : x.raw();
-  // With has_fast_root every root is in range.
-  constexpr overflow range = detail::has_fast_root<Raw, F> ? overflow::wrap : P.range;
+  constexpr overflow range =
+      detail::has_every_root<Raw, F> ? overflow::wrap : detail::function_range<P.range>;
   return number<Raw, F, P>::from_raw(detail::narrow<range, Raw>(
       detail::nearest_root<F>(positive), [&] { detail::raise_overflow<F>("sqrt", x.raw()); }));
 }

@@ -14,6 +14,7 @@
 #include <type_traits>
 
 #include "fixed/detail/limited.hpp"
+#include "fixed/detail/operands.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/square_root.hpp"
 #include "fixed/detail/storage.hpp"
@@ -95,8 +96,7 @@ inline namespace FIXED_FUNCTIONS {
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> cbrt(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  static_assert(detail::has_functions<number<Raw, F, P>>,
-                "cbrt needs a format of at most 32 bits: convert, as in cbrt(q16_16(x))");
+  FIXED_NEEDS_32_BITS(cbrt, number<Raw, F, P>);
   return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::cube_root(x), "cbrt", x);
 }
 
@@ -107,8 +107,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> rsqrt(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
-  static_assert(detail::has_functions<number<Raw, F, P>>,
-                "rsqrt needs a format of at most 32 bits: convert, as in rsqrt(q16_16(x))");
+  FIXED_NEEDS_32_BITS(rsqrt, number<Raw, F, P>);
   if (x.raw() <= 0) {
     return detail::outside_domain<number<Raw, F, P>>((std::numeric_limits<Raw>::max)(), "rsqrt", x);
   }
@@ -159,9 +158,8 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> pow(number<Raw, F, P> x, number<Raw, F, P> y) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(pow, number<Raw, F, P>);
   using result = number<Raw, F, P>;
-  static_assert(detail::has_functions<result>,
-                "pow needs a format of at most 32 bits: convert, as in pow(q16_16(x), q16_16(y))");
   const std::int64_t exponent{y.raw()};
   if (exponent != 0 && x.raw() == 0) {
     if (exponent > 0) return x;
@@ -172,6 +170,14 @@ template <class Raw, int F, policy P>
   }
   return detail::limited<result>(detail::FIXED_FUNCTIONS::power_of(x, y), "pow", x, y);
 }
+
+/// \cond
+FIXED_REFUSED_DOUBLE(cbrt)
+FIXED_REFUSED_DOUBLE(rsqrt)
+FIXED_REFUSED_DOUBLE(reciprocal)
+FIXED_REFUSED_PAIR(hypot)
+FIXED_REFUSED_PAIR(pow)
+/// \endcond
 
 }  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

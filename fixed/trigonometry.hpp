@@ -7,8 +7,8 @@
 /// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
 /// an overflow_error under overflow::trap. Under every other policy it saturates.
 ///
-/// fixed.hpp does not include this header. It includes fixed/trig.hpp, which has sin() and cos() of
-/// radians in 16.16 and 8.8.
+/// fixed.hpp does not include this header. It includes fixed/trig.hpp, which has sin(), cos() and
+/// sin_cos() of radians in 16.16 and 8.8.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,7 @@
 
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/limited.hpp"
+#include "fixed/detail/operands.hpp"
 #include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
 #include "fixed/trig.hpp"
@@ -33,16 +34,12 @@ namespace detail::FIXED_FUNCTIONS {
 template <angle_unit Unit, class Number>
 constexpr Number sine_of(Number x, unsigned ahead,
                          const char* function) noexcept(Number::never_throws) {
-  static_assert(has_functions<Number>,
-                "sin and cos need a format of at most 32 bits: convert, as in sin(q16_16(x))");
   return limited<Number>(
       nearest_sine_of<Unit, ties_of<Number>>(x.raw(), ahead, Number::fraction_bits), function, x);
 }
 
 template <angle_unit Unit, class Number>
 constexpr Number tangent_of(Number x, const char* function) noexcept(Number::never_throws) {
-  static_assert(has_functions<Number>,
-                "tan needs a format of at most 32 bits: convert, as in tan(q16_16(x))");
   if (is_pole<Unit>(x.raw(), Number::fraction_bits)) {
     using limits = std::numeric_limits<typename Number::raw_type>;
     return outside_domain<Number>((limits::max)(), function, x);
@@ -60,6 +57,7 @@ inline namespace FIXED_FUNCTIONS {
 template <class Raw, int F, policy P>
 requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P> sin(
     number<Raw, F, P> angle) noexcept(number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(sin, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian>(angle, 0, "sin");
 }
 
@@ -69,6 +67,7 @@ requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P>
 template <class Raw, int F, policy P>
 requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P> cos(
     number<Raw, F, P> angle) noexcept(number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(cos, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian>(angle, 1, "cos");
 }
 
@@ -78,6 +77,7 @@ requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tan(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(tan, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::radian>(angle, "tan");
 }
 
@@ -87,6 +87,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> sin_of_degrees(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(sin_of_degrees, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree>(angle, 0, "sin_of_degrees");
 }
 
@@ -96,6 +97,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> cos_of_degrees(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(cos_of_degrees, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree>(angle, 1, "cos_of_degrees");
 }
 
@@ -106,6 +108,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tan_of_degrees(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(tan_of_degrees, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::degree>(angle, "tan_of_degrees");
 }
 
@@ -115,6 +118,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> sin_of_turns(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(sin_of_turns, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn>(angle, 0, "sin_of_turns");
 }
 
@@ -124,6 +128,7 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> cos_of_turns(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(cos_of_turns, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn>(angle, 1, "cos_of_turns");
 }
 
@@ -134,8 +139,48 @@ template <class Raw, int F, policy P>
 template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tan_of_turns(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
+  FIXED_NEEDS_32_BITS(tan_of_turns, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::turn>(angle, "tan_of_turns");
 }
+
+/// cos() and sin() of an angle in radians.
+///
+///     const auto [cos, sin] = fixproof::sin_cos(fixproof::q2_30(0.5));
+template <class Raw, int F, policy P>
+requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr cos_sin<number<Raw, F, P>> sin_cos(
+    number<Raw, F, P> angle) noexcept(number<Raw, F, P>::never_throws) {
+  return {cos(angle), sin(angle)};
+}
+
+/// cos_of_degrees() and sin_of_degrees().
+///
+///     static_assert(sin_cos_of_degrees(q16_16(90)).sin == 1);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr cos_sin<number<Raw, F, P>> sin_cos_of_degrees(
+    number<Raw, F, P> angle) noexcept(number<Raw, F, P>::never_throws) {
+  return {cos_of_degrees(angle), sin_of_degrees(angle)};
+}
+
+/// cos_of_turns() and sin_of_turns().
+///
+///     static_assert(sin_cos_of_turns(q16_16(0.5)).cos == -1);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr cos_sin<number<Raw, F, P>> sin_cos_of_turns(
+    number<Raw, F, P> angle) noexcept(number<Raw, F, P>::never_throws) {
+  return {cos_of_turns(angle), sin_of_turns(angle)};
+}
+
+/// \cond
+FIXED_REFUSED_DOUBLE(sin)
+FIXED_REFUSED_DOUBLE(cos)
+FIXED_REFUSED_DOUBLE(tan)
+FIXED_REFUSED_DOUBLE(sin_of_degrees)
+FIXED_REFUSED_DOUBLE(cos_of_degrees)
+FIXED_REFUSED_DOUBLE(tan_of_degrees)
+FIXED_REFUSED_DOUBLE(sin_of_turns)
+FIXED_REFUSED_DOUBLE(cos_of_turns)
+FIXED_REFUSED_DOUBLE(tan_of_turns)
+/// \endcond
 
 }  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

@@ -6,29 +6,13 @@
 #include <stdexcept>
 
 #include "oracle/real_function.hpp"
+#include "oracle/tie.hpp"
 #include "oracle/unbounded.hpp"
 
 namespace oracle {
 namespace {
 
 using Decimal100 = boost::multiprecision::cpp_bin_float_100;
-
-/// Whether the result for rational operands can be rational but not whole.
-bool has_ties(Function function) {
-  switch (function) {
-    case Function::exp2:
-    case Function::sin_of_degrees:
-    case Function::cos_of_degrees:
-    case Function::cbrt:
-    case Function::rsqrt:
-    case Function::reciprocal:
-    case Function::hypot:
-    case Function::pow:
-      return true;
-    default:
-      return false;
-  }
-}
 
 /// Whether the exponential of x ulps is far beyond 2^64 ulps, or far below one.
 bool is_far_out(Function function, const Integer& x, int fraction_bits) {
@@ -115,7 +99,10 @@ std::optional<Ratio> function_value(Function function, const Integer& x, const I
   const auto value = value_in_ulps(function, x, y, fraction_bits);
   if (!value) return std::nullopt;
   const Integer one = Integer(1) << fraction_bits;
-  if (const auto twice = twice_if_whole(*value)) return Ratio{*twice, 2 * one};
+  const auto twice = twice_if_whole(*value);
+  if (twice && (*twice % 2 == 0 || is_tie(function, x, y, *twice, fraction_bits))) {
+    return Ratio{*twice, 2 * one};
+  }
   constexpr int precision = 220;
   return Ratio{Integer(floor(ldexp(*value, precision))), one << precision};
 }
@@ -126,7 +113,7 @@ std::optional<Integer> nearest(Function function, const Integer& x, const Intege
   if (!value) return std::nullopt;
   const auto twice = twice_if_whole(*value);
   if (!twice) return Integer(floor(*value + 0.5));
-  if (*twice % 2 != 0 && !has_ties(function)) {
+  if (*twice % 2 != 0 && !is_tie(function, x, y, *twice, fraction_bits)) {
     throw std::range_error("a result is too near a tie for 334 bits");
   }
   return rounded(*twice, 2, ties);

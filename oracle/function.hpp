@@ -56,9 +56,8 @@ enum class Function {
 /// nearest, ties by `ties`. Empty outside the domain; a pole counts as outside. Results whose
 /// magnitude is at least 2^64 ulps are that.
 ///
-/// Computes with 334 bits. A result closer than 2^-200 ulps to a tie is one if the function is
-/// algebraic or has rational results.
-/// @throws std::range_error if another one is so close
+/// Computes with 334 bits. Integers decide whether a result within 2^-200 ulps of a tie is one.
+/// @throws std::range_error if it is not
 [[nodiscard]] std::optional<Integer> nearest(Function function, const Integer& x, const Integer& y,
                                              int fraction_bits, Rounding ties);
 

@@ -131,7 +131,8 @@ constexpr outcome_of<N> rooted(N x) noexcept {
   using raw = typename N::raw_type;
   if (x.raw() < 0) return {0, fault::domain_error};
   constexpr int F = N::fraction_bits;
-  constexpr overflow range = has_fast_root<raw, F> ? overflow::wrap : N::rules.range;
+  constexpr overflow range =
+      has_every_root<raw, F> ? overflow::wrap : function_range<N::rules.range>;
   return narrowed_element<raw, range>(nearest_root<F>(x.raw()));
 }
 

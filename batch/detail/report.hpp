@@ -26,8 +26,8 @@ struct report {
   /// Quotients for which fixproof::try_divide returns nothing, except plain overflows: zero
   /// divisors and other errors under policy::fault.
   std::size_t divide_errors = 0;
-  /// Results out of range: saturated under overflow::saturate, wrapped under overflow::trap. Always
-  /// 0 under overflow::wrap.
+  /// Results out of range: saturated under overflow::saturate, wrapped under overflow::trap. Under
+  /// overflow::wrap, only the square roots, which saturate.
   std::size_t overflows = 0;
   /// Square roots of negative numbers, and conversions of NaN.
   std::size_t domain_errors = 0;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "fixed/detail/operands.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/raise.hpp"
 #include "fixed/detail/rounding.hpp"
@@ -12,10 +13,6 @@
 #include "fixed/number.hpp"
 
 namespace fixproof::detail {
-
-/// Whether the functions cover the format.
-template <class Number>
-inline constexpr bool has_functions = bits_of<typename Number::raw_type> <= 32;
 
 /// The rule for ties: that of the policy's products if it is to nearest, else half_up.
 template <class Number>
@@ -28,9 +25,7 @@ template <class Number, class Ulps, class... Operands>
 constexpr Number limited(const Ulps& ulps, const char* function,
                          Operands... operands) noexcept(Number::never_throws) {
   using raw = typename Number::raw_type;
-  constexpr overflow range =
-      Number::rules.range == overflow::trap ? overflow::trap : overflow::saturate;
-  return Number::from_raw(narrow<range, raw>(
+  return Number::from_raw(narrow<function_range<Number::rules.range>, raw>(
       ulps, [&] { raise_overflow<Number::fraction_bits>(function, operands.raw()...); }));
 }
 

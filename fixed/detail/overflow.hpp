@@ -43,6 +43,11 @@ constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::tra
   }
 }
 
+/// The rule of functions, which never wrap: a root or an exponential modulo 2^32 means nothing.
+template <overflow O>
+inline constexpr overflow function_range =
+    O == overflow::trap ? overflow::trap : overflow::saturate;
+
 /// Limits an integer to +-(2^Bits - 1). Limits of 32 bits or more are out of every range, but leave
 /// room for shifts and for products with a stored integer.
 template <int Bits = 32, std::integral Int>

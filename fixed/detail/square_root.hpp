@@ -90,8 +90,12 @@ template <class Raw, int FractionBits>
 inline constexpr bool has_fast_root = std::numeric_limits<Raw>::digits + FractionBits < 48 &&
                                       FractionBits <= std::numeric_limits<Raw>::digits;
 
-/// The stored integer nearest to the root of a stored integer. It is out of range only in a format
-/// in which 1/2 is, too.
+/// Whether no root is out of range. Otherwise 1/2 is out of range, and so are the roots of 1/4 and
+/// more.
+template <class Raw, int FractionBits>
+inline constexpr bool has_every_root = FractionBits <= std::numeric_limits<Raw>::digits;
+
+/// The stored integer nearest to the root of a stored integer.
 ///
 /// The hardware root of n = raw 2^FractionBits < 2^47 is below 2^23.5, so it is off by less than
 /// 2^-29 in every rounding mode, and adding a half by as much again: 2^-28 together. Every root is

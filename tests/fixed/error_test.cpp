@@ -60,6 +60,19 @@ TEST(Errors, DivideErrors) {
             "fixed-point divide error: operator/(1, 0.0000152587890625)");
 }
 
+TEST(Errors, RemaindersByZero) {
+  const auto divide = [](const auto& call) { return text_of<divide_error>(call); };
+  const trapping one(1);
+  const trapping zero;
+  int quotient = 0;
+  EXPECT_EQ(divide([&] { return one % zero; }), "fixed-point divide error: operator%(1, 0)");
+  EXPECT_EQ(divide([&] { return fmod(one, zero); }), "fixed-point divide error: fmod(1, 0)");
+  EXPECT_EQ(divide([&] { return remainder(one, zero); }),
+            "fixed-point divide error: remainder(1, 0)");
+  EXPECT_EQ(divide([&] { return remquo(one, zero, &quotient); }),
+            "fixed-point divide error: remquo(1, 0)");
+}
+
 TEST(Errors, DomainErrors) {
   const auto domain = [](const auto& call) { return text_of<domain_error>(call); };
   EXPECT_EQ(domain([] { return sqrt(trapping(-4)); }), "fixed-point domain error: sqrt(-4)");

@@ -64,8 +64,13 @@ std::string first_wrong(N a) {
   if (outcome([&] { return fixproof::abs(a); }) != in_range<N>(magnitude, rules.range))
     return "abs";
   std::optional<integer> expected = integer(0);
-  if (x >= 0) expected = in_range<N>(root(x * one<N>()), rules.range);
-  if (x < 0 && rules.range == fixproof::overflow::trap) expected = std::nullopt;
+  // Roots saturate under policies that wrap.
+  const bool traps = rules.range == fixproof::overflow::trap;
+  if (x >= 0) {
+    expected = in_range<N>(root(x * one<N>()),
+                           traps ? fixproof::overflow::trap : fixproof::overflow::saturate);
+  }
+  if (x < 0 && traps) expected = std::nullopt;
   if (outcome([&] { return sqrt(a); }) != expected) return "sqrt";
   if (integer(static_cast<std::int64_t>(a)) !=
       integer(static_cast<std::int64_t>(static_cast<std::uint64_t>(
@@ -176,6 +181,13 @@ TEST(Formats, KnownValues) {
             "0.0000000000000000000542101086242752217003726400434970855712890625");
   using q32_32 = number<std::int64_t, 32>;
   EXPECT_EQ(sqrt(q32_32(2)).raw(), 6074001000);  // 6074000999.95
+  // The roots of 1/4 and more are out of range without a whole bit.
+  using q0_32 = number<std::int32_t, 32>;
+  EXPECT_EQ(sqrt(q0_32::from_raw(0x40000000)).raw(), 0x7FFFFFFF);
+  EXPECT_EQ(sqrt(q0_32::from_raw(0x3FFFFFFE)).raw(),
+            0x7FFFFFFE);  // 2^31 (1 - 2^-29)^(1/2) = 2^31 - 2
+  EXPECT_EQ(sqrt(number<std::int64_t, 64>::from_raw(std::int64_t{1} << 62)).raw(),
+            std::numeric_limits<std::int64_t>::max());
 }
 
 // The root of a double needs its correction there: at squares, and halfway between two.

@@ -53,7 +53,10 @@ constexpr auto roots = []<class N>() {
       {type,
        [=](const integer& x, const integer&, const integer&) {
          if (x < 0) return Result{0, Fault::domain_error};
-         return narrowed(type, reference::root(x * type.one()), type.rules.range);
+         // Roots saturate under policies that wrap.
+         const bool traps = type.rules.range == overflow::trap;
+         return narrowed(type, reference::root(x * type.one()),
+                         traps ? overflow::trap : overflow::saturate);
        },
        [](const Spans& of, const auto& how) { return batch::sqrt(of.in<N>(0), of.out<N>(), how); },
        throws_by<N::rules.range>});

@@ -43,10 +43,10 @@ using fixproof::number;
 using narrow =
     testing::Types<number<std::int8_t, 0, even_saturate>, number<std::int8_t, 4>,
                    number<std::int8_t, 7, away_trap>, number<std::int8_t, 8, truncate_saturate>,
-                   number<std::uint8_t, 0, mixed>, number<std::uint8_t, 3, even_saturate>,
-                   number<std::uint8_t, 8>, number<std::int8_t, 4, whole_divisor>,
-                   number<std::int8_t, 5, signed_fault>, number<std::int8_t, 3, unsigned_fault>,
-                   number<std::uint8_t, 4, unsigned_fault>>;
+                   number<std::int8_t, 8, floor_wrap>, number<std::uint8_t, 0, mixed>,
+                   number<std::uint8_t, 3, even_saturate>, number<std::uint8_t, 8>,
+                   number<std::int8_t, 4, whole_divisor>, number<std::int8_t, 5, signed_fault>,
+                   number<std::int8_t, 3, unsigned_fault>, number<std::uint8_t, 4, unsigned_fault>>;
 
 using wide = testing::Types<
     number<std::int8_t, 4, mixed>, number<std::int16_t, 8, even_saturate>, number<std::int16_t, 15>,

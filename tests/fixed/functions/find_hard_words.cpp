@@ -4,7 +4,7 @@
 //     find_hard_words FUNCTION FORMAT near
 //
 // The second form compares every result within 2^-20 ulps of a tie with the oracle. Its status is 1
-// if one differs.
+// if one differs, or if no distance is known.
 //
 // Tries every word. 64 bits say how near a result is to a tie; of the nearest ones, 334 bits say it
 // exactly. Prints a line for each, the nearest first: function, format, operand and result as
@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <charconv>
 #include <cmath>
@@ -43,32 +44,57 @@ void prune(std::vector<HardWord>& words, std::size_t count) {
   words.resize(count);
 }
 
-/// The distance from a tie of a root, which the type computes with exact integers only, in units of
-/// 2^-40 ulps.
+constexpr std::int64_t unknown = std::numeric_limits<std::int64_t>::max();
+
+/// The distance of a result from a tie in units of 2^-40 ulps, by 64 bits of the C library. For the
+/// functions that do not say it: those that the type computes with exact integers, and sin and cos
+/// of 8.8 and 16.16. Unknown for all others.
 template <class N>
-std::int64_t root_distance(oracle::Function function, std::int64_t raw, N /*format*/) {
-  constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
-  const bool is_cube_root = function == oracle::Function::cbrt;
-  if (!is_cube_root && (function != oracle::Function::rsqrt || raw <= 0)) return none;
+std::int64_t library_distance(oracle::Function function, std::int64_t raw, N /*format*/) {
+  using oracle::Function;
   const long double x = std::ldexp(static_cast<long double>(raw), -N::fraction_bits);
-  const long double root =
-      std::ldexp(is_cube_root ? std::cbrt(std::abs(x)) : 1 / std::sqrt(x), N::fraction_bits);
-  const long double distance = std::abs(root - std::floor(root) - 0.5L);
-  return static_cast<std::int64_t>(std::ldexp(distance, 40));
+  long double value = 0;
+  switch (function) {
+    case Function::cbrt:
+      value = std::cbrt(x);
+      break;
+    case Function::rsqrt:
+      if (raw <= 0) return unknown;
+      value = 1 / std::sqrt(x);
+      break;
+    case Function::reciprocal:
+      if (raw == 0) return unknown;
+      value = 1 / x;
+      break;
+    case Function::sin:
+      value = std::sin(x);
+      break;
+    case Function::cos:
+      value = std::cos(x);
+      break;
+    default:
+      return unknown;
+  }
+  const long double ulps = std::ldexp(value, N::fraction_bits);
+  return static_cast<std::int64_t>(std::ldexp(std::abs(ulps - std::floor(ulps) - 0.5L), 40));
 }
 
 /// The operands `first`, `first + step` and so on, up to the highest word, whose distance is below
-/// `limit`. Keeps fewer than 4 * `count` of them, with the `count` nearest.
+/// `limit`. Keeps fewer than 4 * `count` of them, with the `count` nearest. Sets `has_distance` if
+/// the distance of a word is known.
 template <class N>
 std::vector<HardWord> nearest_of(const functions::Named<N>& f, std::size_t count,
-                                 std::int64_t limit, std::int64_t first, std::int64_t step) {
+                                 std::int64_t limit, std::int64_t first, std::int64_t step,
+                                 std::atomic<bool>& has_distance) {
   using limits = std::numeric_limits<typename N::raw_type>;
   std::vector<HardWord> words;
   for (std::int64_t raw = limits::min() + first; raw <= limits::max(); raw += step) {
-    constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
-    detail::last_distance = none;
+    detail::last_distance = unknown;
     const N result = f.compute(N::from_raw(static_cast<typename N::raw_type>(raw)), N());
-    if (detail::last_distance == none) detail::last_distance = root_distance(f.function, raw, N());
+    if (detail::last_distance == unknown) {
+      detail::last_distance = library_distance(f.function, raw, N());
+    }
+    if (detail::last_distance != unknown) has_distance = true;
     if (detail::last_distance >= limit) continue;
     // Limits come from results out of range, whose ties do not matter.
     if (result.raw() == limits::max() || result.raw() == limits::min()) continue;
@@ -89,17 +115,24 @@ Decimal100 exact_distance(oracle::Function function, std::int64_t operand) {
   return abs(value - floor(value) - 0.5);
 }
 
-/// nearest_of() on every processor.
+/// nearest_of() on every processor. Ends the program with status 1 if no distance is known.
 template <class N>
 std::vector<std::vector<HardWord>> nearest_of_all(const functions::Named<N>& f, std::size_t count,
                                                   std::int64_t limit) {
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::vector<HardWord>> found(threads);
+  std::atomic<bool> has_distance = false;
   std::vector<std::jthread> workers;
   for (unsigned i = 0; i < threads; ++i) {
-    workers.emplace_back([&, i] { found[i] = nearest_of(f, count, limit, i, threads); });
+    workers.emplace_back(
+        [&, i] { found[i] = nearest_of(f, count, limit, i, threads, has_distance); });
   }
   workers.clear();
+  if (!has_distance) {
+    fmt::print(stderr, "find_hard_words: nothing tells how near {} is to a tie in this format\n",
+               f.name);
+    std::exit(1);
+  }
   return found;
 }
 
@@ -111,7 +144,9 @@ bool compare_near(const functions::Named<N>& f, const char* format) {
   constexpr auto all = std::numeric_limits<std::size_t>::max() / 8;
   std::size_t words = 0;
   std::size_t different = 0;
-  for (const auto& part : nearest_of_all(f, all, limit)) {
+  const auto found = nearest_of_all(f, all, limit);
+  detail::quick_bits = 16;  // as in fixed/detail/nearest.hpp, to compare what users call
+  for (const auto& part : found) {
     for (const HardWord& word : part) {
       const N x = N::from_raw(static_cast<typename N::raw_type>(word.operand));
       const N want = functions::expected(f.function, x, N(), oracle::Rounding::half_up);

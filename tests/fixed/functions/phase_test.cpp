@@ -58,6 +58,25 @@ TEST(Phases, TiesFollowThePolicy) {
   EXPECT_EQ(sin_of_degrees(away(-30)), -1);
 }
 
+static_assert(sin_cos(q2_30(0.5)).sin.raw() == 514779252);  // 514779252.3
+static_assert(sin_cos(q2_30(0.5)).cos.raw() == 942297101);  // 942297100.7
+
+TEST(Phases, SineAndCosineTogether) {
+  const auto radians = sin_cos(q8_24(2));
+  EXPECT_EQ(radians.cos.raw(), -6981785);  // -6981785.4
+  EXPECT_EQ(radians.sin.raw(), 15255479);  // 15255479.3
+  const auto degrees = sin_cos_of_degrees(q16_16(150));
+  EXPECT_EQ(degrees.cos.raw(), -56756);  // -56755.8
+  EXPECT_EQ(degrees.sin, q16_16(0.5));
+  const auto turns = sin_cos_of_turns(q16_16(-0.25));
+  EXPECT_EQ(turns.cos, 0);
+  EXPECT_EQ(turns.sin, -1);
+  // A cosine of 1 is out of range.
+  EXPECT_EQ(sin_cos(q1_31()).cos, std::numeric_limits<q1_31>::max());
+  EXPECT_THROW((void)sin_cos_of_turns(number<std::int32_t, 31, policies::trapping>()),
+               overflow_error);
+}
+
 TEST(Phases, RangeAndDomainFollowThePolicy) {
   EXPECT_EQ(tan_of_degrees(q16_16(90)), std::numeric_limits<q16_16>::max());
   EXPECT_EQ(tan_of_turns(q16_16(-0.25)), std::numeric_limits<q16_16>::max());

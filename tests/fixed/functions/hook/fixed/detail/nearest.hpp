@@ -8,8 +8,8 @@
 namespace fixproof::detail {
 
 /// The highest number of fraction bits for which functions try a quick result with a larger error
-/// first.
-inline constexpr int quick_bits = 16;
+/// first. It is 0 while the distance matters, because that of a quick result is not exact enough.
+inline thread_local int quick_bits = 0;
 
 /// The distance of the last value from a tie in units of 2^-40 ulps.
 inline thread_local std::int64_t last_distance = 0;
