@@ -9,6 +9,8 @@ namespace fixproof::detail::FIXED_LANES {
 // nearest_whole(x)    the nearest integer, in every rounding mode
 // scaled(x, n)        x * 2^n for a whole n, if x and the result are from 2^-1000 to 2^1000, or in
 //                     any range if scales_any
+// words(x)            converts whole numbers of 32 bits. Any other x, even a NaN, gives any word,
+//                     while __builtin_convertvector() is undefined for it
 #if FIXED_LANE_BYTES == 64
 FIXED_LANE_FUNCTION f64 fused(f64 a, f64 b, f64 c) { return _mm512_fmadd_pd(a, b, c); }
 FIXED_LANE_FUNCTION f64 nearest_whole(f64 x) {
@@ -18,17 +20,20 @@ inline constexpr bool scales_any = true;
 FIXED_LANE_FUNCTION f64 scaled(f64 x, f64 exponent) {
   return _mm512_maskz_scalef_pd(0xff, x, exponent);
 }
+FIXED_LANE_FUNCTION half_i32 words(f64 x) { return half_i32(_mm512_maskz_cvtpd_epi32(0xff, x)); }
 #else
 #if FIXED_LANE_BYTES == 32
 FIXED_LANE_FUNCTION f64 fused(f64 a, f64 b, f64 c) { return _mm256_fmadd_pd(a, b, c); }
 FIXED_LANE_FUNCTION f64 nearest_whole(f64 x) {
   return _mm256_round_pd(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
 }
+FIXED_LANE_FUNCTION half_i32 words(f64 x) { return half_i32(_mm256_cvtpd_epi32(x)); }
 #else
 FIXED_LANE_FUNCTION f64 fused(f64 a, f64 b, f64 c) {
   return f64(vfmaq_f64(float64x2_t(c), float64x2_t(a), float64x2_t(b)));
 }
 FIXED_LANE_FUNCTION f64 nearest_whole(f64 x) { return f64(vrndnq_f64(float64x2_t(x))); }
+FIXED_LANE_FUNCTION half_i32 words(f64 x) { return low_words(i64(vcvtq_s64_f64(float64x2_t(x)))); }
 #endif
 inline constexpr bool scales_any = false;
 FIXED_LANE_FUNCTION f64 scaled(f64 x, f64 exponent) {

@@ -205,9 +205,11 @@ struct functions {
     using limits = std::numeric_limits<typename N::raw_type>;
     constexpr double lowest = (limits::min)();
     constexpr double highest = (limits::max)();
+    constexpr double one = one_in<N::fraction_bits>;
+    constexpr bool can_overflow = Function::limit * one > highest;
     unknown = x.unknown;
     f64 ulps = x.ulps;
-    if constexpr (Function::limit * one_in < N::fraction_bits >> highest) {
+    if constexpr (can_overflow) {
       if constexpr (N::rules.range == overflow::trap) {
         unknown |= bits_below(ulps, f64{} + lowest) | bits_below(f64{} + highest, ulps);
       }
@@ -215,13 +217,13 @@ struct functions {
     }
     const f64 whole = nearest_whole(ulps);
     unknown |= undecided(x, ulps, magnitude(ulps - whole));
-    return __builtin_convertvector(whole, half_i32);
+    return words(whole);
   }
 
-  /// Computes out[i] = scalar(from[i]...), as many as fill whole registers.
+  /// Computes out[i] = Function::scalar(from[i]...), as many as fill whole registers.
   /// \return the number of elements done
-  template <class N, class Function, class Scalar, class... Operands>
-  FIXED_LANE_TARGET static std::size_t each(N* out, std::size_t count, const Scalar& scalar,
+  template <class Function, class N, class... Operands>
+  FIXED_LANE_TARGET static std::size_t each(N* out, std::size_t count,
                                             Operands... from) noexcept(N::never_throws) {
     using raw = typename N::raw_type;
     constexpr std::size_t half = width / 2;
@@ -230,9 +232,16 @@ struct functions {
       std::uint32_t unknown = 0;
       half_i32 result = rounded<N, Function>(
           estimated<N::fraction_bits>(Function{}, doubles(load_half<raw>(from, i))...), unknown);
+      if constexpr (!N::never_throws) {
+        // One by one, so that the elements before one that throws have their results.
+        if (unknown != 0) {
+          for (std::size_t k = i; k < i + half; ++k) out[k] = Function::scalar(from[k]...);
+          continue;
+        }
+      }
       for (; unknown != 0; unknown &= unknown - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(unknown));
-        result[lane] = scalar(from[i + lane]...).raw();
+        result[lane] = Function::scalar(from[i + lane]...).raw();
       }
       store_half<raw>(out, i, result);
     }
