@@ -20,10 +20,6 @@
 #include "batch/detail/function_targets.hpp"
 #include "batch/detail/spans.hpp"
 #include "batch/radian.hpp"
-#include "fixed/angle.hpp"
-#include "fixed/exponential.hpp"
-#include "fixed/power.hpp"
-#include "fixed/trigonometry.hpp"
 
 namespace fixproof::detail {
 
@@ -31,13 +27,20 @@ namespace fixproof::detail {
 template <class N>
 inline constexpr bool has_radians_of = has_radians<typename N::raw_type, N::fraction_bits>;
 
-/// out[i] = scalar(from[i]...) for i below `count`.
-template <class Function, class N, class Scalar, class... Operands>
-void each_result(batch::path use, N* out, std::size_t count, const Scalar& scalar,
+/// out[i] = Function::scalar(from[i]...) for i below `count`.
+template <class Function, class N, class... Operands>
+void each_result(batch::path use, N* out, std::size_t count,
                  const Operands*... from) noexcept(N::never_throws) {
   std::size_t i = on_function_path<has_lanes<N>>(
-      use, [&](auto on) { return on.template each<N, Function>(out, count, scalar, from...); });
-  for (; i < count; ++i) out[i] = scalar(from[i]...);
+      use, [&](auto on) { return on.template each<Function>(out, count, from...); });
+  for (; i < count; ++i) out[i] = Function::scalar(from[i]...);
+}
+
+/// The same for ranges, of which the shortest sets the number of results.
+template <class Function, class Out, class... Operands>
+void each_of(batch::path use, Out& out,
+             const Operands&... from) noexcept(element_t<Out>::never_throws) {
+  each_result<Function>(use, std::data(out), shortest(out, from...), std::data(from)...);
 }
 
 }  // namespace fixproof::detail
@@ -47,235 +50,160 @@ namespace fixproof::batch {
 /// out[i] = fixproof::exp2(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void exp2(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_exp2>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::exp2(one); },
-      std::data(x));
+  detail::each_of<detail::of_exp2>(use, out, x);
 }
 
 /// out[i] = fixproof::exp(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void exp(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_exp>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::exp(one); },
-      std::data(x));
+  detail::each_of<detail::of_exp>(use, out, x);
 }
 
 /// out[i] = fixproof::expm1(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void expm1(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_expm1>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::expm1(one); },
-      std::data(x));
+  detail::each_of<detail::of_expm1>(use, out, x);
 }
 
 /// out[i] = fixproof::log(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void log(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_log>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::log(one); },
-      std::data(x));
+  detail::each_of<detail::of_log>(use, out, x);
 }
 
 /// out[i] = fixproof::log1p(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void log1p(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_log1p>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::log1p(one); },
-      std::data(x));
+  detail::each_of<detail::of_log1p>(use, out, x);
 }
 
 /// out[i] = fixproof::log2(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void log2(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_log2>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::log2(one); },
-      std::data(x));
+  detail::each_of<detail::of_log2>(use, out, x);
 }
 
 /// out[i] = fixproof::log10(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void log10(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_log10>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::log10(one); },
-      std::data(x));
+  detail::each_of<detail::of_log10>(use, out, x);
 }
 
 /// out[i] = fixproof::sinh(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void sinh(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_sinh>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::sinh(one); },
-      std::data(x));
+  detail::each_of<detail::of_sinh>(use, out, x);
 }
 
 /// out[i] = fixproof::cosh(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void cosh(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_cosh>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::cosh(one); },
-      std::data(x));
+  detail::each_of<detail::of_cosh>(use, out, x);
 }
 
 /// out[i] = fixproof::tanh(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void tanh(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_tanh>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::tanh(one); },
-      std::data(x));
+  detail::each_of<detail::of_tanh>(use, out, x);
 }
 
 /// out[i] = fixproof::sin_of_degrees(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void sin_of_degrees(const X& x, Out&& out,
                     path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_sine<detail::angle_unit::degree>>(
-      use, std::data(out), detail::shortest(x, out),
-      [](N one) { return fixproof::sin_of_degrees(one); }, std::data(x));
+  detail::each_of<detail::of_sin_of_degrees>(use, out, x);
 }
 
 /// out[i] = fixproof::cos_of_degrees(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void cos_of_degrees(const X& x, Out&& out,
                     path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_cosine<detail::angle_unit::degree>>(
-      use, std::data(out), detail::shortest(x, out),
-      [](N one) { return fixproof::cos_of_degrees(one); }, std::data(x));
+  detail::each_of<detail::of_cos_of_degrees>(use, out, x);
 }
 
 /// out[i] = fixproof::tan_of_degrees(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void tan_of_degrees(const X& x, Out&& out,
                     path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_tangent<detail::angle_unit::degree>>(
-      use, std::data(out), detail::shortest(x, out),
-      [](N one) { return fixproof::tan_of_degrees(one); }, std::data(x));
+  detail::each_of<detail::of_tan_of_degrees>(use, out, x);
 }
 
 /// out[i] = fixproof::sin_of_turns(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void sin_of_turns(const X& x, Out&& out,
                   path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_sine<detail::angle_unit::turn>>(
-      use, std::data(out), detail::shortest(x, out),
-      [](N one) { return fixproof::sin_of_turns(one); }, std::data(x));
+  detail::each_of<detail::of_sin_of_turns>(use, out, x);
 }
 
 /// out[i] = fixproof::cos_of_turns(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void cos_of_turns(const X& x, Out&& out,
                   path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_cosine<detail::angle_unit::turn>>(
-      use, std::data(out), detail::shortest(x, out),
-      [](N one) { return fixproof::cos_of_turns(one); }, std::data(x));
+  detail::each_of<detail::of_cos_of_turns>(use, out, x);
 }
 
 /// out[i] = fixproof::tan_of_turns(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void tan_of_turns(const X& x, Out&& out,
                   path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_tangent<detail::angle_unit::turn>>(
-      use, std::data(out), detail::shortest(x, out),
-      [](N one) { return fixproof::tan_of_turns(one); }, std::data(x));
+  detail::each_of<detail::of_tan_of_turns>(use, out, x);
 }
 
 /// out[i] = fixproof::sin(x[i]) of radians. batch/radian.hpp has that of 16.16 and 8.8.
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 requires(!detail::has_radians_of<detail::element_t<X>>) void sin(
     const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_sine<detail::angle_unit::radian>>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::sin(one); },
-      std::data(x));
+  detail::each_of<detail::of_sin>(use, out, x);
 }
 
 /// out[i] = fixproof::cos(x[i]) of radians. batch/radian.hpp has that of 16.16 and 8.8.
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 requires(!detail::has_radians_of<detail::element_t<X>>) void cos(
     const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_cosine<detail::angle_unit::radian>>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::cos(one); },
-      std::data(x));
+  detail::each_of<detail::of_cos>(use, out, x);
 }
 
 /// out[i] = fixproof::tan(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void tan(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_tangent<detail::angle_unit::radian>>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::tan(one); },
-      std::data(x));
+  detail::each_of<detail::of_tan>(use, out, x);
 }
 
 /// out[i] = fixproof::atan(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void atan(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_atan>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::atan(one); },
-      std::data(x));
+  detail::each_of<detail::of_atan>(use, out, x);
 }
 
 /// out[i] = fixproof::asin(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void asin(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_asin>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::asin(one); },
-      std::data(x));
+  detail::each_of<detail::of_asin>(use, out, x);
 }
 
 /// out[i] = fixproof::acos(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void acos(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_acos>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::acos(one); },
-      std::data(x));
+  detail::each_of<detail::of_acos>(use, out, x);
 }
 
 /// out[i] = fixproof::cbrt(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void cbrt(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_cbrt>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::cbrt(one); },
-      std::data(x));
+  detail::each_of<detail::of_cbrt>(use, out, x);
 }
 
 /// out[i] = fixproof::rsqrt(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void rsqrt(const X& x, Out&& out, path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_rsqrt>(
-      use, std::data(out), detail::shortest(x, out), [](N one) { return fixproof::rsqrt(one); },
-      std::data(x));
+  detail::each_of<detail::of_rsqrt>(use, out, x);
 }
 
 /// out[i] = fixproof::reciprocal(x[i]).
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 void reciprocal(const X& x, Out&& out,
                 path use = best()) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
-  detail::each_result<detail::of_reciprocal>(
-      use, std::data(out), detail::shortest(x, out),
-      [](N one) { return fixproof::reciprocal(one); }, std::data(x));
+  detail::each_of<detail::of_reciprocal>(use, out, x);
 }
 
 /// out[i] = fixproof::atan2(y[i], x[i]).
@@ -283,10 +211,7 @@ template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
           detail::output_of<detail::element_t<A>> Out>
 void atan2(const A& y, const B& x, Out&& out,
            path use = best()) noexcept(detail::element_t<A>::never_throws) {
-  using N = detail::element_t<A>;
-  detail::each_result<detail::of_atan2>(
-      use, std::data(out), detail::shortest(y, x, out),
-      [](N one, N other) { return fixproof::atan2(one, other); }, std::data(y), std::data(x));
+  detail::each_of<detail::of_atan2>(use, out, y, x);
 }
 
 /// out[i] = fixproof::hypot(x[i], y[i]).
@@ -294,10 +219,7 @@ template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
           detail::output_of<detail::element_t<A>> Out>
 void hypot(const A& x, const B& y, Out&& out,
            path use = best()) noexcept(detail::element_t<A>::never_throws) {
-  using N = detail::element_t<A>;
-  detail::each_result<detail::of_hypot>(
-      use, std::data(out), detail::shortest(x, y, out),
-      [](N one, N other) { return fixproof::hypot(one, other); }, std::data(x), std::data(y));
+  detail::each_of<detail::of_hypot>(use, out, x, y);
 }
 
 /// out[i] = fixproof::pow(x[i], y[i]).
@@ -305,10 +227,7 @@ template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
           detail::output_of<detail::element_t<A>> Out>
 void pow(const A& x, const B& y, Out&& out,
          path use = best()) noexcept(detail::element_t<A>::never_throws) {
-  using N = detail::element_t<A>;
-  detail::each_result<detail::of_pow>(
-      use, std::data(out), detail::shortest(x, y, out),
-      [](N one, N other) { return fixproof::pow(one, other); }, std::data(x), std::data(y));
+  detail::each_of<detail::of_pow>(use, out, x, y);
 }
 
 }  // namespace fixproof::batch

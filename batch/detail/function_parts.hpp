@@ -5,6 +5,7 @@
 #if defined(FIXED_LANES)
 #define FIXED_LANE_FUNCTION FIXED_LANE_TARGET __attribute__((always_inline)) inline
 
+#include "batch/detail/elementary_lanes.hpp"
 #include "batch/detail/function_lanes.hpp"
 
 #undef FIXED_LANES

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <limits>
 
+#include "batch/detail/function_tags.hpp"
 #include "batch/detail/polynomials.hpp"
 #include "batch/detail/targets.hpp"
 #include "fixed/detail/hardware.hpp"
-#include "fixed/detail/phase.hpp"
 #include "fixed/policy.hpp"
 
 namespace fixproof::detail {
@@ -35,40 +35,6 @@ inline constexpr std::array<double, 2> half_turns_per =
     Unit == angle_unit::radian   ? half_turns_per_radian
     : Unit == angle_unit::degree ? half_turns_per_degree
                                  : std::array<double, 2>{2, 0};
-
-// The functions as tags. No magnitude of a result is above the limit.
-struct unlimited {
-  static constexpr double limit = 0x1p100;
-};
-template <int Limit>
-struct limited_to {
-  static constexpr double limit = Limit;
-};
-struct of_exp : unlimited {};
-struct of_exp2 : unlimited {};
-struct of_expm1 : unlimited {};
-struct of_sinh : unlimited {};
-struct of_cosh : unlimited {};
-struct of_cbrt : unlimited {};
-struct of_rsqrt : unlimited {};
-struct of_reciprocal : unlimited {};
-struct of_hypot : unlimited {};
-struct of_pow : unlimited {};
-struct of_log : limited_to<32> {};
-struct of_log2 : limited_to<32> {};
-struct of_log10 : limited_to<32> {};
-struct of_log1p : limited_to<32> {};
-struct of_tanh : limited_to<1> {};
-struct of_atan : limited_to<2> {};
-struct of_atan2 : limited_to<4> {};
-struct of_asin : limited_to<2> {};
-struct of_acos : limited_to<4> {};
-template <angle_unit Unit>
-struct of_sine : limited_to<1> {};
-template <angle_unit Unit>
-struct of_cosine : limited_to<1> {};
-template <angle_unit Unit>
-struct of_tangent : unlimited {};
 
 }  // namespace fixproof::detail
 

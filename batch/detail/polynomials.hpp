@@ -1,5 +1,6 @@
 /// \file
-/// The polynomials of batch/detail/function_lanes.hpp. scripts/batch-polynomials writes this file.
+/// The polynomials of batch/detail/elementary_lanes.hpp. scripts/batch-polynomials writes this
+/// file.
 #pragma once
 
 #include <array>

@@ -1,9 +1,11 @@
-/// Measures the errors of the estimates of batch/detail/function_lanes.hpp next to their bounds.
+/// Measures the errors of the estimates of batch/detail/function_lanes.hpp next to their bounds, in
+/// every rounding mode.
 #include <cmath>
 #include <limits>
 
 #include "batch/functions.hpp"
 #include "fixed/formats.hpp"
+#include "tests/support/rounding_mode.hpp"
 #include "tests/support/test.hpp"
 
 // The exact results come from long double, which needs more bits than double.
@@ -21,17 +23,23 @@ struct Lane {
   bool is_known;
 };
 
-#define ESTIMATES(set, target)                                                      \
-  namespace set##_test {                                                            \
-    target double bound_of(const set::flat_estimate& x) { return x.error; }         \
-    target double bound_of(const set::growing_estimate& x) {                        \
-      return std::fabs(x.ulps[0]) * x.relative[0] + x.error;                        \
-    }                                                                               \
-    template <class Function, int F, class... Words>                                \
-    target Lane lane(Words... words) {                                              \
-      const auto estimate = set::estimated<F>(Function{}, (set::f64{} + words)...); \
-      return {estimate.ulps[0], bound_of(estimate), (estimate.unknown & 1) == 0};   \
-    }                                                                               \
+/// Returns x. Compilers do not move the read to another rounding mode.
+double unmoved(double x) {
+  const volatile double copy = x;
+  return copy;
+}
+
+#define ESTIMATES(set, target)                                                               \
+  namespace set##_test {                                                                     \
+    target double bound_of(const set::flat_estimate& x) { return x.error; }                  \
+    target double bound_of(const set::growing_estimate& x) {                                 \
+      return std::fabs(x.ulps[0]) * x.relative[0] + x.error;                                 \
+    }                                                                                        \
+    template <class Function, int F, class... Words>                                         \
+    target Lane lane(Words... words) {                                                       \
+      const auto estimate = set::estimated<F>(Function{}, (set::f64{} + unmoved(words))...); \
+      return {estimate.ulps[0], bound_of(estimate), (estimate.unknown & 1) == 0};            \
+    }                                                                                        \
   }
 ESTIMATES(avx2, __attribute__((target("avx2,fma"))))
 ESTIMATES(avx512, __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"))))
@@ -51,13 +59,18 @@ void expect_half(const char* name, const Exact& function, Words... words) {
   constexpr auto one = static_cast<exact>(one_in<F>);
   const exact want = function(static_cast<exact>(words) / one...) * one;
   if (!std::isfinite(want)) return;
-  const auto expect = [&](const Lane& lane) {
+  const auto expect = [&](const Lane& lane, int mode) {
     if (!lane.is_known || are_flat(lane.ulps, want)) return;
     ASSERT_LE(std::fabs(static_cast<exact>(lane.ulps) - want), static_cast<exact>(lane.bound / 2))
-        << name << " of raw " << testing::PrintToString(std::tuple(words...)) << ", F = " << F;
+        << name << " of raw " << testing::PrintToString(std::tuple(words...)) << ", F = " << F
+        << ", rounding mode " << mode;
   };
-  if (batch::has(batch::path::avx512)) expect(avx512_test::lane<Function, F>(words...));
-  if (batch::has(batch::path::avx2)) expect(avx2_test::lane<Function, F>(words...));
+  // The library is exact enough only to nearest, so it has computed `want` before.
+  for (const int mode : RoundingMode::all) {
+    const RoundingMode set(mode);
+    if (batch::has(batch::path::avx512)) expect(avx512_test::lane<Function, F>(words...), mode);
+    if (batch::has(batch::path::avx2)) expect(avx2_test::lane<Function, F>(words...), mode);
+  }
 }
 
 template <class Function, int F, int operands, class Exact>

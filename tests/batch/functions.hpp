@@ -3,6 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <limits>
+#include <random>
 #include <vector>
 
 #include "batch/functions.hpp"
@@ -79,5 +82,18 @@ inline constexpr std::array all_functions{
 };
 #undef UNARY
 #undef BINARY
+
+/// The ends of the range, small numbers, and words with any number of leading zeros.
+template <class N>
+Numbers<N> operands(std::size_t count, unsigned seed) {
+  using raw = typename N::raw_type;
+  std::mt19937 random(seed);
+  Numbers<N> all{N(), std::numeric_limits<N>::lowest(), std::numeric_limits<N>::max()};
+  while (all.size() < count) {
+    const std::uint32_t word = static_cast<std::uint32_t>(random()) >> random() % 32;
+    all.push_back(N::from_raw(static_cast<raw>(random() % 2 == 0 ? word : 0 - word)));
+  }
+  return all;
+}
 
 }  // namespace batch_test

@@ -2,27 +2,13 @@
 #include "tests/batch/functions.hpp"
 
 #include <cfenv>
-#include <fstream>
-#include <sstream>
 
 #include "fixed/formats.hpp"
+#include "tests/fixed/functions/hard_words.hpp"
 #include "tests/support/test.hpp"
 
 namespace batch_test {
 namespace {
-
-/// The ends of the range, small numbers, and words with any number of leading zeros.
-template <class N>
-Numbers<N> operands(std::size_t count, unsigned seed) {
-  using raw = typename N::raw_type;
-  std::mt19937 random(seed);
-  Numbers<N> all{N(), std::numeric_limits<N>::lowest(), std::numeric_limits<N>::max()};
-  while (all.size() < count) {
-    const std::uint32_t word = static_cast<std::uint32_t>(random()) >> random() % 32;
-    all.push_back(N::from_raw(static_cast<raw>(random() % 2 == 0 ? word : 0 - word)));
-  }
-  return all;
-}
 
 template <class N>
 void expect_same_bits(std::size_t count) {
@@ -87,76 +73,50 @@ TEST(BatchFunctions, NothingBeyondTheShortestSpan) {
   }
 }
 
-TEST(BatchFunctions, AResultMayReplaceAnOperand) {
-  for (const BatchFunction<q16_16>& f : all_functions<q16_16>) {
+template <class N>
+void expect_results_may_replace_operands() {
+  const Numbers<N> x = operands<N>(1003, 20);
+  const Numbers<N> y = operands<N>(1003, 21);
+  for (const BatchFunction<N>& f : all_functions<N>) {
+    Numbers<N> want;
+    Numbers<N> want_of_same;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      want.push_back(f.one(x[i], y[i]));
+      want_of_same.push_back(f.one(x[i], x[i]));
+    }
     for (const batch::path path : every_path) {
-      Numbers<q16_16> x = operands<q16_16>(1003, 20);
-      const Numbers<q16_16> y = operands<q16_16>(1003, 21);
-      Numbers<q16_16> want;
-      for (std::size_t i = 0; i < x.size(); ++i) want.push_back(f.one(x[i], y[i]));
-      f.many(x, y, x, path);
-      ASSERT_EQ(x, want) << f.name;
+      Numbers<N> first = x;
+      f.many(first, y, first, path);
+      ASSERT_EQ(first, want) << f.name << " in place of x";
+      Numbers<N> second = y;
+      f.many(x, second, second, path);
+      ASSERT_EQ(second, want) << f.name << " in place of y";
+      Numbers<N> both = x;
+      f.many(both, both, both, path);
+      ASSERT_EQ(both, want_of_same) << f.name << " in place of both";
     }
   }
 }
 
-/// Puts the operand into one lane of a block of others.
-template <class N>
-bool check_hard_word(const std::string& function, std::int64_t operand, std::int64_t result) {
-  using raw = typename N::raw_type;
-  for (const BatchFunction<N>& f : all_functions<N>) {
-    if (function != f.name) continue;
+TEST(BatchFunctions, AResultMayReplaceAnOperand) {
+  expect_results_may_replace_operands<q16_16>();
+  expect_results_may_replace_operands<q2_30>();
+  expect_results_may_replace_operands<q8_8>();
+}
+
+/// The words nearest to a tie, each in one lane of a block of others.
+TEST(BatchFunctions, HardWords) {
+  functions::for_each_hard_word(HARD_WORDS, []<class N>(const functions::HardWord& word) {
+    const BatchFunction<N>& f = functions::named(all_functions<N>, word.function);
     Numbers<N> x(16, N(0.5));
-    x[5] = N::from_raw(static_cast<raw>(operand));
+    x[5] = N::from_raw(static_cast<typename N::raw_type>(word.operand));
     for (const batch::path path : every_path) {
       Numbers<N> results(x.size());
       f.many(x, x, results, path);
-      EXPECT_EQ(results[5].raw(), result) << function << " of raw " << operand;
-      EXPECT_EQ(results[4], f.one(x[4], x[4])) << function;
+      EXPECT_EQ(results[5].raw(), word.result) << f.name << " of raw " << word.operand;
+      EXPECT_EQ(results[4], f.one(x[4], x[4])) << f.name;
     }
-    return true;
-  }
-  return false;
-}
-
-/// The words nearest to a tie.
-TEST(BatchFunctions, HardWords) {
-  std::ifstream file(HARD_WORDS);
-  std::string line;
-  std::size_t words = 0;
-  while (std::getline(file, line)) {
-    if (line.starts_with('#')) continue;
-    std::istringstream parts(line);
-    std::string function;
-    std::string format;
-    std::int64_t operand = 0;
-    std::int64_t result = 0;
-    ASSERT_TRUE(parts >> function >> format >> operand >> result) << line;
-    const bool known = format == "q8_8"     ? check_hard_word<q8_8>(function, operand, result)
-                       : format == "q24_8"  ? check_hard_word<q24_8>(function, operand, result)
-                       : format == "q16_16" ? check_hard_word<q16_16>(function, operand, result)
-                       : format == "q8_24"  ? check_hard_word<q8_24>(function, operand, result)
-                       : format == "q2_30"  ? check_hard_word<q2_30>(function, operand, result)
-                                            : false;
-    ASSERT_TRUE(known) << line;
-    ++words;
-  }
-  EXPECT_GE(words, 396U);
-}
-
-/// As the functions of one number, under a policy that throws.
-TEST(BatchFunctions, ThrowAsOneByOne) {
-  for (const batch::path path : every_path) {
-    Numbers<q16_16_trapping> x(40, q16_16_trapping(2));
-    Numbers<q16_16_trapping> out(40);
-    batch::exp(x, out, path);
-    EXPECT_EQ(out[39], exp(q16_16_trapping(2)));
-    x[21] = q16_16_trapping(11);
-    EXPECT_THROW(batch::exp(x, out, path), overflow_error);
-    x[21] = q16_16_trapping(-1);
-    EXPECT_THROW(batch::log(x, out, path), domain_error);
-    EXPECT_THROW(batch::rsqrt(x, out, path), domain_error);
-  }
+  });
 }
 
 }  // namespace

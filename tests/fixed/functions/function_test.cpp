@@ -1,9 +1,7 @@
 /// Tests the functions of real numbers against the oracle, in formats of every width and with
 /// fraction bits at both ends.
-#include <fstream>
-#include <sstream>
-
 #include "tests/fixed/functions/functions.hpp"
+#include "tests/fixed/functions/hard_words.hpp"
 
 namespace {
 
@@ -48,10 +46,7 @@ class EveryFormat : public testing::Test {
  private:
   std::mt19937_64 random_{1994};
 };
-using FunctionFormats =
-    testing::Types<q8_0, q4_4, q1_7, u4_4, u0_8, q12_4, q8_8, q1_15, u8_8, u0_16, q32_0, q24_8,
-                   q16_16, q8_24, q2_30, q1_31, u24_8, u16_16, u1_31, u0_32>;
-TYPED_TEST_SUITE(EveryFormat, FunctionFormats);
+TYPED_TEST_SUITE(EveryFormat, functions::Formats);
 
 TYPED_TEST(EveryFormat, FunctionsOfOneNumberAreNearest) {
   using N = TypeParam;
@@ -88,41 +83,14 @@ TYPED_TEST(EveryFormat, FunctionsOfTwoNumbersAreNearest) {
   }
 }
 
-/// Checks a line of hard_words.txt: function, format, operand, result, distance.
-template <class N>
-bool check_hard_word(const std::string& function, std::int64_t operand, std::int64_t result) {
-  for (const Named<N>& f : unary<N>) {
-    if (function != f.name) continue;
-    const N x = N::from_raw(static_cast<typename N::raw_type>(operand));
-    EXPECT_EQ(f.compute(x, N()).raw(), result) << function << " of raw " << operand;
-    EXPECT_EQ(expected(f.function, x, N(), oracle::Rounding::half_up).raw(), result);
-    return true;
-  }
-  return false;
-}
-
 TEST(Functions, OfHardWordsAreNearest) {
-  std::ifstream file(FUNCTIONS_FOLDER "/hard_words.txt");
-  std::string line;
-  std::size_t words = 0;
-  while (std::getline(file, line)) {
-    if (line.starts_with('#')) continue;
-    std::istringstream parts(line);
-    std::string function;
-    std::string format;
-    std::int64_t operand = 0;
-    std::int64_t result = 0;
-    ASSERT_TRUE(parts >> function >> format >> operand >> result) << line;
-    const bool known = format == "q8_8"     ? check_hard_word<q8_8>(function, operand, result)
-                       : format == "q24_8"  ? check_hard_word<q24_8>(function, operand, result)
-                       : format == "q16_16" ? check_hard_word<q16_16>(function, operand, result)
-                       : format == "q8_24"  ? check_hard_word<q8_24>(function, operand, result)
-                       : format == "q2_30"  ? check_hard_word<q2_30>(function, operand, result)
-                                            : false;
-    ASSERT_TRUE(known) << line;
-    ++words;
-  }
-  EXPECT_EQ(words, 432U);
+  functions::for_each_hard_word(
+      FUNCTIONS_FOLDER "/hard_words.txt", []<class N>(const functions::HardWord& word) {
+        const Named<N>& f = functions::named(unary<N>, word.function);
+        const N x = N::from_raw(static_cast<typename N::raw_type>(word.operand));
+        EXPECT_EQ(f.compute(x, N()).raw(), word.result) << f.name << " of raw " << word.operand;
+        EXPECT_EQ(expected(f.function, x, N(), oracle::Rounding::half_up).raw(), word.result);
+      });
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "oracle/real_function.hpp"
 #include "tests/fixed/functions/functions.hpp"
+#include "tests/fixed/functions/hard_words.hpp"
 
 namespace {
 
@@ -15,13 +16,16 @@ using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_bac
 /// The result of MPFR, rounded half up and saturated.
 template <class N>
 std::int64_t by_mpfr(oracle::Function function, N x, N y) {
-  using limits = std::numeric_limits<typename N::raw_type>;
-  const auto real = [](N number) { return ldexp(Real(number.raw()), -N::fraction_bits); };
+  constexpr std::int64_t lowest = std::numeric_limits<typename N::raw_type>::min();
+  constexpr std::int64_t highest = std::numeric_limits<typename N::raw_type>::max();
+  const auto real = [](N number) {
+    return ldexp(Real(std::int64_t{number.raw()}), -N::fraction_bits);
+  };
   const Real value = ldexp(oracle::real_function(function, real(x), real(y)), N::fraction_bits);
   // MPFR is off by less than 2^-900, so this makes every tie go up.
   const Real biased = floor(value + 0.5 + ldexp(Real(1), -900));
-  if (biased >= limits::max()) return limits::max();
-  if (biased <= limits::min()) return limits::min();
+  if (biased >= highest) return highest;
+  if (biased <= lowest) return lowest;
   return biased.convert_to<std::int64_t>();
 }
 
@@ -39,19 +43,27 @@ void expect_equal(const std::array<Named<N>, Size>& all, int count) {
       if (!oracle::in_domain<std::int64_t>(f.function, x.raw(), y.raw(), N::fraction_bits))
         continue;
       ASSERT_EQ(f.compute(x, y).raw(), by_mpfr(f.function, x, y))
-          << f.name << " of raw " << x.raw() << ' ' << y.raw();
+          << f.name << " of raw " << +x.raw() << ' ' << +y.raw();
     }
   }
 }
 
 template <class N>
 class Mpfr : public testing::Test {};
-using MpfrFormats = testing::Types<q8_8, q24_8, q16_16, q8_24, q2_30>;
-TYPED_TEST_SUITE(Mpfr, MpfrFormats);
+TYPED_TEST_SUITE(Mpfr, functions::Formats);
 
 TYPED_TEST(Mpfr, GivesTheSameWords) {
-  expect_equal(functions::unary<TypeParam>, 300);
-  expect_equal(functions::binary<TypeParam>, 1000);
+  expect_equal(functions::unary<TypeParam>, 150);
+  expect_equal(functions::binary<TypeParam>, 500);
+}
+
+TEST(MpfrHardWords, HaveTheSameResults) {
+  functions::for_each_hard_word(
+      FUNCTIONS_FOLDER "/hard_words.txt", []<class N>(const functions::HardWord& word) {
+        const Named<N>& f = functions::named(functions::unary<N>, word.function);
+        const N x = N::from_raw(static_cast<typename N::raw_type>(word.operand));
+        EXPECT_EQ(by_mpfr(f.function, x, N()), word.result) << f.name << " of raw " << word.operand;
+      });
 }
 
 }  // namespace
