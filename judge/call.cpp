@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "cases/draw.hpp"
 #include "x86model/flags.hpp"
 
 namespace fixproof::judge {
@@ -23,6 +22,17 @@ std::uint64_t number_at(std::span<const std::uint32_t> words, std::size_t index,
   if (p.is_signed && (value & sign) != 0) value |= ~std::uint64_t{0} << p.bits;
   return value;
 }
+
+/// Returns where the results are that are in registers.
+std::vector<Place> places_of_results(const Frame& frame, int result_bits, int code_bits) {
+  if (!frame.on_stack) return frame.out;
+  const Size size = code_bits == 16 ? Size::word : Size::dword;
+  const RegisterName ax{Register::ax, size};
+  if (result_bits <= code_bits) return {{{ax}}};
+  return {{{{Register::dx, size}, ax}}};
+}
+
+int bits_of(Size size) { return size == Size::byte ? 8 : size == Size::word ? 16 : 32; }
 
 }  // namespace
 
@@ -62,6 +72,7 @@ Call::Call(const Image& image, const Frame& frame, const cases::Variant& variant
       frame_(frame),
       variant_(variant),
       parameters_(parameters_of(variant)),
+      results_(places_of_results(frame, variant.format.word_bits, image.bits)),
       code_selector_(code_selector),
       slot_(image.bits / 8) {
   std::size_t word = 0;
@@ -93,12 +104,8 @@ void Call::push_parameter(std::uint8_t* memory, std::size_t index,
   }
 }
 
-void Call::enter(std::uint8_t* memory, Registers& registers, std::span<const std::uint32_t> words,
-                 std::uint64_t number) {
-  cases::Draw draw(386, number);
-  for (std::uint32_t& r : registers.general) r = static_cast<std::uint32_t>(draw.bits());
-  registers.flags = static_cast<std::uint32_t>(draw.bits()) & x86model::arithmetic_flags;
-  // Put operands behind their pointers, and noise where the results will be.
+void Call::put_operands(std::uint8_t* memory, std::span<const std::uint32_t> words,
+                        cases::Draw& draw) const {
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
     const Parameter& p = parameters_[i];
     if (!p.is_pointer) continue;
@@ -109,6 +116,26 @@ void Call::enter(std::uint8_t* memory, Registers& registers, std::span<const std
       store(memory + image_.data_at(at), value, 4);
     }
   }
+}
+
+void Call::load_registers(Registers& registers, std::span<const std::uint32_t> words) const {
+  for (std::size_t i = 0; i < frame_.in.size(); ++i) {
+    const Place& place = frame_.in[i];
+    std::uint64_t value =
+        place.is_pointer ? data_offsets_[i] : number_at(words, first_word_[i], parameters_[i]);
+    for (auto part = place.parts.rbegin(); part != place.parts.rend(); ++part) {
+      registers.write(*part, static_cast<std::uint32_t>(value));
+      value >>= static_cast<unsigned>(bits_of(part->size));
+    }
+  }
+}
+
+void Call::enter(std::uint8_t* memory, Registers& registers, std::span<const std::uint32_t> words,
+                 std::uint64_t number) {
+  cases::Draw draw(386, number);
+  for (std::uint32_t& r : registers.general) r = static_cast<std::uint32_t>(draw.bits());
+  registers.flags = static_cast<std::uint32_t>(draw.bits()) & x86model::arithmetic_flags;
+  put_operands(memory, words, draw);
   top_ = image_.stack_top;
   if (frame_.on_stack) {
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
@@ -118,15 +145,7 @@ void Call::enter(std::uint8_t* memory, Registers& registers, std::span<const std
   popped_ = frame_.callee_pops ? image_.stack_top : top_;
   if (frame_.is_far) push(memory, code_selector_, slot_);
   push(memory, image_.exit, slot_);
-  for (std::size_t i = 0; i < frame_.in.size(); ++i) {
-    const Place& place = frame_.in[i];
-    std::uint64_t value =
-        place.is_pointer ? data_offsets_[i] : number_at(words, first_word_[i], parameters_[i]);
-    for (auto part = place.parts.rbegin(); part != place.parts.rend(); ++part) {
-      registers.write(*part, static_cast<std::uint32_t>(value));
-      value >>= part->size == Size::byte ? 8U : part->size == Size::word ? 16U : 32U;
-    }
-  }
+  load_registers(registers, words);
   if (image_.bits == 32) registers.general[sp_number] = 0;
   registers.write({Register::sp, image_.bits == 32 ? Size::dword : Size::word}, top_);
   entered_ = registers;
@@ -134,40 +153,31 @@ void Call::enter(std::uint8_t* memory, Registers& registers, std::span<const std
 
 void Call::leave(const std::uint8_t* memory, const Registers& registers,
                  std::span<std::uint32_t> words) const {
-  const int bits = variant_.format.word_bits;
-  if (frame_.out.empty() && std::any_of(parameters_.begin(), parameters_.end(),
-                                        [](const Parameter& p) { return p.is_result; })) {
-    std::size_t word = 0;
-    for (std::size_t i = 0; i < parameters_.size(); ++i) {
-      if (!parameters_[i].is_result) continue;
-      for (std::size_t n = 0; n < parameters_[i].numbers; ++n) {
-        const auto at = data_offsets_[i] + static_cast<std::uint32_t>(n) * 4;
-        words[word++] = fetch(memory + image_.data_at(at), 4);
-      }
-    }
-    return;
-  }
+  const bool is_behind_pointers =
+      frame_.out.empty() && std::ranges::any_of(parameters_, &Parameter::is_result);
+  if (is_behind_pointers) return take_results(memory, words);
   std::size_t word = 0;
-  const auto read = [&](const Place& place) {
+  for (const Place& place : results_) {
     std::uint64_t value = 0;
     for (const RegisterName& part : place.parts) {
-      value = value << (part.size == Size::byte   ? 8U
-                        : part.size == Size::word ? 16U
-                                                  : 32U) |
-              registers.read(part);
+      value = value << static_cast<unsigned>(bits_of(part.size)) | registers.read(part);
     }
+    const int bits = variant_.format.word_bits;
     if (bits < 64) value &= (std::uint64_t{1} << bits) - 1;
     words[word++] = static_cast<std::uint32_t>(value);
     if (bits > 32) words[word++] = static_cast<std::uint32_t>(value >> 32U);
-  };
-  if (!frame_.on_stack) {
-    for (const Place& place : frame_.out) read(place);
-    return;
   }
-  const Size size = image_.bits == 16 ? Size::word : Size::dword;
-  const RegisterName ax{Register::ax, size};
-  if (bits > image_.bits) return read({{{Register::dx, size}, ax}});
-  read({{ax}});
+}
+
+void Call::take_results(const std::uint8_t* memory, std::span<std::uint32_t> words) const {
+  std::size_t word = 0;
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    if (!parameters_[i].is_result) continue;
+    for (std::size_t n = 0; n < parameters_[i].numbers; ++n) {
+      const auto at = data_offsets_[i] + static_cast<std::uint32_t>(n) * 4;
+      words[word++] = fetch(memory + image_.data_at(at), 4);
+    }
+  }
 }
 
 unsigned Call::broken(const Registers& left) const {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "cases/draw.hpp"
 #include "judge/frame.hpp"
 #include "judge/image.hpp"
 
@@ -62,6 +63,11 @@ class Call {
   [[nodiscard]] unsigned changed(const Registers& left) const;
 
  private:
+  /// Puts operands behind their pointers, and noise where the results will be.
+  void put_operands(std::uint8_t* memory, std::span<const std::uint32_t> words,
+                    cases::Draw& draw) const;
+  void load_registers(Registers& registers, std::span<const std::uint32_t> words) const;
+  void take_results(const std::uint8_t* memory, std::span<std::uint32_t> words) const;
   void push(std::uint8_t* memory, std::uint32_t value, int bytes);
   void push_parameter(std::uint8_t* memory, std::size_t index,
                       std::span<const std::uint32_t> words);
@@ -70,6 +76,7 @@ class Call {
   const Frame& frame_;
   cases::Variant variant_;
   std::vector<Parameter> parameters_;
+  std::vector<Place> results_;               ///< of those in registers
   std::vector<std::size_t> first_word_;      ///< of each parameter, in the operands
   std::vector<std::uint32_t> data_offsets_;  ///< of each parameter: where its pointer points to
   std::uint16_t code_selector_;

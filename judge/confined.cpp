@@ -130,6 +130,7 @@ Confined::Confined(const std::function<Serve(Steps& steps)>& prepare, std::size_
   void* const shared =
       mmap(nullptr, sizeof(Steps), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (shared == MAP_FAILED) throw refused("mmap");
+  // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the memory is the mapping's
   steps_ = new (shared) Steps(0);
   auto [request_in, request_out] = make_pipe();
   auto [reply_in, reply_out] = make_pipe();
