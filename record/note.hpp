@@ -149,16 +149,11 @@ inline void note_exact(place from, const Result& result, const Operands&... oper
   note_long(word{type_code<Number>} | static_cast<word>(K), from, values, values_of(result));
 }
 
-/// Gives the log the float or double that a conversion starts from.
-inline void input_of(std::floating_point auto x) noexcept {
-  current_log->input(static_cast<double>(x));
-}
-
 /// Records an operation of the type `Number`.
 template <kind K, class Number, class Result, class... Operands>
 inline void note(place from, const Result& result, const Operands&... operands) noexcept {
   if constexpr ((std::floating_point<Operands> || ...)) {
-    if (current_log != nullptr) input_of(operands...);
+    (put_input(static_cast<double>(operands)), ...);
     note_input<K>(from, result);
   } else {
     note_exact<K, Number>(from, result, operands...);
@@ -175,6 +170,7 @@ inline void note_term(place from, const Operands&... operands) noexcept {
 template <kind K, class Number, class... Operands>
 inline void note_throw(place from, const Operands&... operands) noexcept {
   if constexpr ((std::floating_point<Operands> || ...)) {
+    (put_input(static_cast<double>(operands)), ...);
     note_long(word{type_code<Number>} | static_cast<word>(K) | long_threw, from,
               std::array<value, 0>{}, std::array<value, 0>{});
     return;
