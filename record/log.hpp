@@ -134,7 +134,7 @@ class log {
   friend word detail::taken(const word*, std::size_t, place) noexcept;
 
   void frame(std::int64_t number) noexcept {
-    end_block(0);
+    if (has_records()) end_block(0);
     frame_ = number;
     begins_frame_ = true;
     begin_block();
@@ -145,7 +145,7 @@ class log {
     name = name.substr(0, max_name_length);
     const word number = number_of(name);
     put_remark(kind::mark, hash_text(name.data(), name.size()));
-    if (number != 0) name_ = number;
+    name_ = number;
   }
 
   void confirm(std::int64_t number) noexcept { confirmed_ = number; }
@@ -196,7 +196,7 @@ class log {
       page[4] = entries_;
     }
     page[4] |= names_.size() << 32;
-    page[5] = static_cast<word>(confirmed_);
+    page[5] = static_cast<word>(written_confirmed_);
     file_.append(page);
     page = {};
   }
@@ -244,10 +244,13 @@ class log {
     detail::current_left = granted_;
   }
 
-  /// Writes the entry of the block, unless the block is empty.
+  [[nodiscard]] bool has_records() const noexcept {
+    return records_ + (granted_ - detail::current_left) != 0;
+  }
+
+  /// Writes the entry of the block. Only the last block of a run may be empty.
   void end_block(word flags) noexcept {
     records_ += granted_ - detail::current_left;
-    if (records_ == 0) return;
     if (used_ != 0) write_records();
     prefix_ += detail::current_hash;
     total_ += records_;
@@ -258,6 +261,8 @@ class log {
     page_[at + 3] = (records_ - remarks_) | flags | (begins_frame_ ? entry_begins_frame : 0) |
                     block_name_ << entry_name_shift;
     begins_frame_ = false;
+    // The records before confirm() are in finished blocks now.
+    written_confirmed_ = confirmed_;
     ++block_;
     operation_ += records_ - remarks_;
     if (++entries_ == page_entries) flush();
@@ -325,6 +330,7 @@ class log {
   word remarks_ = 0;
   std::int64_t frame_ = no_frame;
   std::int64_t confirmed_ = no_frame;
+  std::int64_t written_confirmed_ = no_frame;  ///< What was confirmed when the last block ended.
   word name_ = 0;
   word block_name_ = 0;
   std::unordered_map<std::string, word> names_;
