@@ -151,7 +151,7 @@ TEST_F(Log, HasAllRecordsOfABlockThatIsFlushedMidway) {
   }
   LogFile a(path("a.log"));
   LogFile b(path("b.log"));
-  for (const std::uint64_t block : {0, 1, 2, 3}) {
+  for (std::uint64_t block = 0; block < 4; ++block) {
     const auto of_a = a.records(block);
     const auto of_b = b.records(block);
     ASSERT_EQ(of_a.size(), block == 1 || block == 2 ? 1024U : 0U);
