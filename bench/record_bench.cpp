@@ -157,7 +157,7 @@ void time(benchmark::State& state, bool has_log) {
       }
     }
     if (log) {
-      state.counters["records"] = benchmark::Counter(static_cast<double>(log->where().records),
+      state.counters["records"] = benchmark::Counter(static_cast<double>(record::where().records),
                                                      benchmark::Counter::kAvgIterations);
     }
   }

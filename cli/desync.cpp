@@ -75,7 +75,7 @@ void print_record(const char* side, LogFile& log, const Place& place, std::size_
 void print_side(const char* side, LogFile& log, const Place& place) {
   if (!place.index) {
     std::cout << fmt::format("{} {:>14}  {}\n", side, "",
-                             place.entry.is_last ? "the run ends here" : "the frame ends here");
+                             place.ends_run ? "the run ends here" : "the frame ends here");
     return;
   }
   const std::size_t index = *place.index;
@@ -99,6 +99,9 @@ const char* explanation(Verdict verdict) {
       return "The results differ for the same operands: the arithmetic is not the same.";
     case Verdict::order:
       return "The order differs: both sides apply these two operations to one value, in turn.";
+    case Verdict::type:
+      return "The number types differ: the programs are compiled with different formats or rules, or\n"
+             "they take different branches from here.";
     case Verdict::path:
       return "The operations differ: the programs take different branches from here. An earlier\n"
              "comparison, branch or loop depends on something that is not recorded.";

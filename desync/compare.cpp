@@ -67,25 +67,33 @@ std::pair<std::size_t, std::size_t> first_unmatched(const std::vector<Record>& a
   return {a.size(), next};
 }
 
+/// Tells whether an operation makes a number from something else than numbers.
+bool enters(const Operation& o) {
+  return o.kind == record::kind::from_raw ||
+         std::ranges::all_of(o.operands, [](const Value& operand) {
+           return (operand.type & 0xff) == static_cast<word>(record::value_class::integer);
+         });
+}
+
 Verdict judge(const Place& a, const Place& b) {
   const std::size_t i = *a.index;
   const std::size_t j = *b.index;
   const Operation x = operation_of(a.records[i].words);
   const Operation y = operation_of(b.records[j].words);
+  if (!record::is_operation(x.kind) || !record::is_operation(y.kind)) return Verdict::path;
   const bool is_same_operation = x.kind == y.kind && x.type == y.type;
-  if (is_same_operation && x.operands.empty() && y.operands.empty() &&
-      (x.kind == record::kind::convert || x.kind == record::kind::from_text)) {
-    return Verdict::input;
-  }
-  if (is_same_operation && x.operands == y.operands && record::is_operation(x.kind)) {
-    return Verdict::arithmetic;
+  if (is_same_operation && x.operands == y.operands) {
+    const bool is_read = x.kind == record::kind::convert || x.kind == record::kind::from_text;
+    return is_read && x.operands.empty() ? Verdict::input : Verdict::arithmetic;
   }
   if (i + 1 < a.records.size() && j + 1 < b.records.size() &&
       are_swapped(x, operation_of(a.records[i + 1].words), y,
                   operation_of(b.records[j + 1].words))) {
     return Verdict::order;
   }
-  return is_same_operation && record::is_operation(x.kind) ? Verdict::operands : Verdict::path;
+  if (x.kind != y.kind) return Verdict::path;
+  if (x.type != y.type) return Verdict::type;
+  return enters(x) && enters(y) ? Verdict::input : Verdict::operands;
 }
 
 /// \param end the number of the block after the run or the frame
@@ -94,8 +102,10 @@ Place place_of(LogFile& log, word block, word end) {
   place.block = block;
   place.entry = log.entry(block);
   place.records = log.records(block);
+  place.ends_run = place.entry.is_last;
   if (!place.records.empty() && block + 1 < end) {
     for (Record& record : log.records(block + 1)) place.records.push_back(std::move(record));
+    place.ends_run = log.entry(block + 1).is_last;
   }
   return place;
 }
@@ -113,7 +123,11 @@ void look_into(Comparison& comparison) {
     comparison.operations = x.first_operation;
     return;
   }
-  const auto [i, j] = first_unmatched(a.records, b.records);
+  auto [i, j] = first_unmatched(a.records, b.records);
+  // If one side repeats a record, all records of the other side have a match. The difference is at
+  // the repeated one.
+  if (i == a.records.size() && j < i) i = j;
+  if (j == b.records.size() && i < j) j = i;
   if (i < a.records.size()) a.index = i;
   if (j < b.records.size()) b.index = j;
   if (a.index && b.index) {
@@ -121,7 +135,7 @@ void look_into(Comparison& comparison) {
     return;
   }
   const Place& shorter = a.records.size() < b.records.size() ? a : b;
-  comparison.verdict = shorter.entry.is_last ? Verdict::ended : Verdict::path;
+  comparison.verdict = shorter.ends_run ? Verdict::ended : Verdict::path;
   comparison.operations = shorter.entry.first_operation + shorter.entry.operations;
 }
 

@@ -16,10 +16,11 @@ namespace fixproof::desync {
 enum class Verdict {
   equal,       ///< Nothing, as far as both logs reach.
   block,       ///< A block whose records are not in both logs.
-  input,       ///< A number that was read or converted from floating point.
+  input,       ///< A number that enters: from raw bits, text, an integer or floating point.
   operands,    ///< The operands of the same operation: the states differ.
   arithmetic,  ///< The results of the same operation with the same operands.
   order,       ///< The order of two operations on one value.
+  type,        ///< The type of the numbers: its format or its rules.
   path,        ///< The operations themselves: the programs took different branches.
   ended,       ///< Nothing before the block in which one run ended, and nothing in that block if
                ///< both logs have its records.
@@ -30,6 +31,7 @@ struct Place {
   word block = 0;
   Entry entry;
   std::vector<Record> records;       ///< Of the block and the next one, if the log has them.
+  bool ends_run = false;             ///< Whether the run ends after these records.
   std::optional<std::size_t> index;  ///< Of the record that differs, unless the block ends first.
 };
 

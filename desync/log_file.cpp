@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "record/hash.hpp"
 #include "support/usage_error.hpp"
@@ -67,12 +68,15 @@ LogFile::LogFile(const std::string& path) : path_(path) {
   torn_bytes_ = bytes - pages_ * record::page_bytes;
   for (word i = pages_; i-- > 1;) {
     const Page& last = page(i);
-    if (i == pages_ - 1) confirmed_ = static_cast<std::int64_t>(last[5]);
     if (type_of(last[0]) != page_type::blocks) continue;
+    confirmed_ = static_cast<std::int64_t>(last[5]);
     const word count = last[4] & 0xffffffff;
     if (last[2] > ~word{0} - count) fail(fmt::format("page {} has impossible numbers", i));
     blocks_ = last[2] + count;
-    is_complete_ = entry(blocks_ - 1).is_last;
+    const Entry end = entry(blocks_ - 1);
+    is_complete_ = end.is_last;
+    // Only the last block of a run may have no record.
+    if (end.is_last && end.operations == 0 && end.hash == 0) --blocks_;
     break;
   }
 }
@@ -153,14 +157,22 @@ Entry LogFile::entry(word block) {
   }
 }
 
+/// Returns the page after which all records of a block are, given the page of its entry. A flush
+/// during a block puts one page of entries between its records.
+word LogFile::first_page_of_records(word block, word end) {
+  bool may_pass_entries = page(end)[2] == block;
+  word first = end;
+  for (; first > 1; --first) {
+    const Page& before = page(first - 1);
+    if (type_of(before[0]) == page_type::records && before[6] < block) break;
+    if (type_of(before[0]) == page_type::blocks && !std::exchange(may_pass_entries, false)) break;
+  }
+  return first;
+}
+
 std::vector<Record> LogFile::records(word block) {
   const word end = page_of_block(block);
-  const word group = page(end)[2];
-  word first = end;
-  while (first > 1 && page(first - 1)[2] == group &&
-         type_of(page(first - 1)[0]) != page_type::blocks) {
-    --first;
-  }
+  const word first = first_page_of_records(block, end);
   const word start = entry(block).first_operation;
   std::vector<Record> records;
   Record next;

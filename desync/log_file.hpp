@@ -47,7 +47,7 @@ class LogFile {
   [[nodiscard]] const std::string& path() const { return path_; }
   /// The origin of the log: lines `name: value`.
   [[nodiscard]] const std::string& origin() const { return origin_; }
-  /// The number of finished blocks.
+  /// The number of finished blocks that have records.
   [[nodiscard]] word blocks() const { return blocks_; }
   /// Whether the program closed the log. Otherwise the program was killed or still runs.
   [[nodiscard]] bool is_complete() const { return is_complete_; }
@@ -78,6 +78,7 @@ class LogFile {
   std::optional<Page> try_page(word number);
   const Page& page(word number);
   word page_of_block(word block);
+  word first_page_of_records(word block, word end);
 
   std::string path_;
   std::ifstream file_;

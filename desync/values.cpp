@@ -31,42 +31,6 @@ word extended(word low, std::uint32_t type) {
   return static_cast<word>(std::int64_t{static_cast<std::int32_t>(half)});
 }
 
-bool has_integer(kind k) {
-  return k == kind::shift_left || k == kind::shift_right ||
-         (k >= kind::add_integer && k <= kind::remainder_integer);
-}
-
-/// Tells whether a short record of a kind has one operand.
-bool is_unary(kind k) {
-  switch (k) {
-    case kind::add:
-    case kind::subtract:
-    case kind::multiply:
-    case kind::divide:
-    case kind::remainder:
-    case kind::saturating_add:
-    case kind::wrapping_add:
-    case kind::saturating_subtract:
-    case kind::wrapping_subtract:
-    case kind::saturating_multiply:
-    case kind::wrapping_multiply:
-    case kind::saturating_divide:
-    case kind::wrapping_divide:
-    case kind::min:
-    case kind::max:
-    case kind::fmod:
-    case kind::nearest_remainder:
-    case kind::copysign:
-    case kind::nextafter:
-    case kind::hypot:
-    case kind::pow:
-    case kind::atan2:
-      return false;
-    default:
-      return !has_integer(k);
-  }
-}
-
 constexpr std::uint32_t integer_type =
     3 << record::tag_size_shift | static_cast<std::uint32_t>(value_class::integer);
 
@@ -78,17 +42,15 @@ Operation short_operation(const std::vector<word>& words, Operation operation) {
     b = words[2];
     result = words[3];
   } else {
-    b = extended(a >> 32, has_integer(operation.kind) ? 0 : operation.type);
+    b = extended(a >> 32, record::has_integer(operation.kind) ? 0 : operation.type);
     a = extended(a, operation.type);
     result = extended(words[0] >> 32, operation.type);
   }
-  if (operation.kind != kind::from_text && operation.kind != kind::convert &&
-      operation.kind != kind::accumulator_result) {
-    operation.operands.push_back({operation.type, a});
-  }
-  if (has_integer(operation.kind)) operation.operands.push_back({integer_type, b});
-  if (!operation.operands.empty() && !is_unary(operation.kind) && operation.operands.size() == 1) {
-    operation.operands.push_back({operation.type, b});
+  const std::size_t operands = record::short_operands(operation.kind);
+  if (operands > 0) operation.operands.push_back({operation.type, a});
+  if (operands > 1) {
+    operation.operands.push_back(
+        {record::has_integer(operation.kind) ? integer_type : operation.type, b});
   }
   operation.results.push_back({operation.type, result});
   return operation;

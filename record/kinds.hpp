@@ -2,6 +2,7 @@
 /// The kinds of records in a log, with their numbers and names.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace fixproof::record {
@@ -152,5 +153,50 @@ constexpr const char* text_of(kind k) noexcept {
 /// Tells whether a record of this kind counts as an operation. All do except inputs, frames, marks
 /// and places.
 constexpr bool is_operation(kind k) noexcept { return k < kind::input; }
+
+/// Tells whether the second operand in a short record of this kind is an integer.
+constexpr bool has_integer(kind k) noexcept {
+  return k == kind::shift_left || k == kind::shift_right ||
+         (k >= kind::add_integer && k <= kind::remainder_integer);
+}
+
+/// Returns the number of operands in a short record of this kind.
+constexpr std::size_t short_operands(kind k) noexcept {
+  switch (k) {
+    case kind::from_text:
+    case kind::convert:
+    case kind::accumulator_result:
+      return 0;
+    case kind::add:
+    case kind::subtract:
+    case kind::multiply:
+    case kind::divide:
+    case kind::remainder:
+    case kind::saturating_add:
+    case kind::wrapping_add:
+    case kind::saturating_subtract:
+    case kind::wrapping_subtract:
+    case kind::saturating_multiply:
+    case kind::wrapping_multiply:
+    case kind::saturating_divide:
+    case kind::wrapping_divide:
+    case kind::min:
+    case kind::max:
+    case kind::fmod:
+    case kind::nearest_remainder:
+    case kind::copysign:
+    case kind::nextafter:
+    case kind::hypot:
+    case kind::pow:
+    case kind::atan2:
+    case kind::add_to:
+    case kind::subtract_to:
+    case kind::multiply_to:
+    case kind::divide_to:
+      return 2;
+    default:
+      return has_integer(k) ? 2 : 1;
+  }
+}
 
 }  // namespace fixproof::record

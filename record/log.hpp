@@ -54,6 +54,9 @@ inline constinit thread_local log* current_log = nullptr;
 word taken(const word* words, std::size_t count, place from) noexcept;
 /// The same for a record of two words, which the caller then need not put into memory.
 word taken(word first, word second, place from) noexcept;
+/// Writes the double that the next record converts, if the block is recorded in full. No hash covers
+/// the double, because a difference that rounding hides is no difference of the numbers.
+void put_input(double x) noexcept;
 
 /// Adds a record to the hash of the block.
 template <std::size_t Count>
@@ -86,27 +89,32 @@ inline void put(const std::array<word, Count>& words, place from) noexcept {
 /// returns false, and the program continues as without a log.
 class log {
  public:
-  /// Opens a log and replaces the file at `path`. A second log of a thread takes over until it is
-  /// destroyed.
+  /// Opens a log and replaces the file at `path`. Until it is destroyed, an older log of this thread
+  /// gets no records.
   explicit log(const std::string& path, const options& how = {})
-      : file_(path.c_str()),
-        full_(how.full),
-        outer_(detail::current_log),
-        outer_hash_(detail::current_hash),
-        outer_left_(detail::current_left) {
+      : file_(path.c_str()), full_(how.full), older_(detail::current_log) {
     page_[0] = first_word(page_type::header);
     page_[4] = put_text(page_, origin(how.program));
     append(page_);
-    detail::current_log = this;
+    make_current(this);
     begin_block();
   }
-  /// Writes what is left. Marks the last block as one that ends with the run.
+  /// Writes the rest and marks the last block as one that ends with the run. Logs may be destroyed
+  /// in any order. In a thread other than the one that opened the log, the destructor writes only
+  /// finished blocks.
   ~log() {
+    log** holder = &detail::current_log;
+    while (*holder != nullptr && *holder != this) holder = &(*holder)->older_;
+    if (*holder == nullptr) {
+      flush();
+      return;
+    }
+    log* const current = detail::current_log;
+    make_current(this);
     end_block(entry_is_last);
     flush();
-    detail::current_log = outer_;
-    detail::current_hash = outer_hash_;
-    detail::current_left = outer_left_;
+    make_current(current == this ? older_ : current);
+    *holder = older_;
   }
   log(const log&) = delete;
   log(log&&) = delete;
@@ -116,35 +124,38 @@ class log {
   /// Tells whether everything so far was written.
   [[nodiscard]] bool good() const noexcept { return file_.good(); }
 
-  /// Begins a frame; see record::frame().
+ private:
+  friend void frame(std::int64_t) noexcept;
+  friend void mark(std::string_view) noexcept;
+  friend void confirm(std::int64_t) noexcept;
+  friend void flush() noexcept;
+  friend position where() noexcept;
+  friend void detail::put_input(double) noexcept;
+  friend word detail::taken(const word*, std::size_t, place) noexcept;
+
   void frame(std::int64_t number) noexcept {
-    end_block(0);
+    if (has_records()) end_block(0);
     frame_ = number;
     begins_frame_ = true;
     begin_block();
     put_remark(kind::frame, static_cast<word>(number));
   }
 
-  /// Names what follows; see record::mark().
   void mark(std::string_view name) noexcept {
     name = name.substr(0, max_name_length);
     const word number = number_of(name);
     put_remark(kind::mark, hash_text(name.data(), name.size()));
-    if (number != 0) name_ = number;
+    name_ = number;
   }
 
-  /// Says that frames up to this one are final; see record::confirm().
   void confirm(std::int64_t number) noexcept { confirmed_ = number; }
 
-  /// Writes the double that the next record converts, if the block is recorded in full. No hash
-  /// covers the double, because a difference that rounding hides is no difference of the numbers.
   void input(double x) noexcept {
     if (!is_recorded_) return;
     const std::array<word, 2> words{static_cast<word>(kind::input), std::bit_cast<word>(x)};
     put_words(words.data(), words.size());
   }
 
-  /// Writes the finished blocks to the file.
   void flush() noexcept {
     if (entries_ == 0) return;
     page_[0] = first_word(page_type::blocks);
@@ -154,19 +165,27 @@ class log {
     entries_ = 0;
   }
 
-  /// Returns how far this run has come.
   [[nodiscard]] position where() const noexcept {
     return {total_ + records_ + (granted_ - detail::current_left), prefix_ + detail::current_hash};
   }
-
- private:
-  friend word detail::taken(const word*, std::size_t, place) noexcept;
 
   static constexpr std::size_t max_names = 4096;
   static constexpr std::size_t max_name_length = 255;
 
   static constexpr word first_word(page_type type) noexcept {
     return word{static_cast<std::uint32_t>(type)} << 32 | magic;
+  }
+
+  /// Gives the state of this thread to `next`, which may be null, and keeps it for the log that had
+  /// it.
+  static void make_current(log* next) noexcept {
+    if (log* const before = detail::current_log) {
+      before->hash_ = detail::current_hash;
+      before->left_ = detail::current_left;
+    }
+    detail::current_log = next;
+    detail::current_hash = next == nullptr ? 0 : next->hash_;
+    detail::current_left = next == nullptr ? 0 : next->left_;
   }
 
   /// Fills in what all pages have, appends the page, and clears it.
@@ -177,7 +196,7 @@ class log {
       page[4] = entries_;
     }
     page[4] |= names_.size() << 32;
-    page[5] = static_cast<word>(confirmed_);
+    page[5] = static_cast<word>(written_confirmed_);
     file_.append(page);
     page = {};
   }
@@ -225,10 +244,13 @@ class log {
     detail::current_left = granted_;
   }
 
-  /// Writes the entry of the block, unless the block is empty.
+  [[nodiscard]] bool has_records() const noexcept {
+    return records_ + (granted_ - detail::current_left) != 0;
+  }
+
+  /// Writes the entry of the block. Only the last block of a run may be empty.
   void end_block(word flags) noexcept {
     records_ += granted_ - detail::current_left;
-    if (records_ == 0) return;
     if (used_ != 0) write_records();
     prefix_ += detail::current_hash;
     total_ += records_;
@@ -239,6 +261,8 @@ class log {
     page_[at + 3] = (records_ - remarks_) | flags | (begins_frame_ ? entry_begins_frame : 0) |
                     block_name_ << entry_name_shift;
     begins_frame_ = false;
+    // The records before confirm() are in finished blocks now.
+    written_confirmed_ = confirmed_;
     ++block_;
     operation_ += records_ - remarks_;
     if (++entries_ == page_entries) flush();
@@ -283,9 +307,9 @@ class log {
 
   page_file file_;
   full_range full_;
-  log* outer_;
-  word outer_hash_;
-  word outer_left_;
+  log* older_;     ///< The next older log of this thread, or null.
+  word hash_ = 0;  ///< What `current_hash` and `current_left` become when this log is current again.
+  word left_ = 0;
 
   std::array<word, page_words> page_{};  ///< The entries of finished blocks.
   word entries_ = 0;
@@ -306,6 +330,7 @@ class log {
   word remarks_ = 0;
   std::int64_t frame_ = no_frame;
   std::int64_t confirmed_ = no_frame;
+  std::int64_t written_confirmed_ = no_frame;  ///< What was confirmed when the last block ended.
   word name_ = 0;
   word block_name_ = 0;
   std::unordered_map<std::string, word> names_;
@@ -327,6 +352,10 @@ inline word
 taken(word first, word second, place from) noexcept {
   const std::array<word, 2> words{first, second};
   return taken(words.data(), words.size(), from);
+}
+
+inline void put_input(double x) noexcept {
+  if (log* const owner = current_log) owner->input(x);
 }
 
 }  // namespace detail

@@ -79,12 +79,6 @@ constexpr std::array<value, 2> values_of(const std::pair<A, B>& x) noexcept {
 }
 /// \}
 
-/// Tells whether the second operand in a short record of this kind is an integer.
-constexpr bool has_integer(kind k) noexcept {
-  return k == kind::shift_left || k == kind::shift_right ||
-         (k >= kind::add_integer && k <= kind::remainder_integer);
-}
-
 /// Records any operands and results.
 template <std::size_t Operands, std::size_t Results>
 inline void note_long(word first, place from, const std::array<value, Operands>& operands,
@@ -133,6 +127,7 @@ template <kind K, class Number, class Result, class... Operands>
 inline void note_exact(place from, const Result& result, const Operands&... operands) noexcept {
   if constexpr (std::same_as<Result, Number>) {
     if constexpr (sizeof...(Operands) <= 2 && (std::same_as<Operands, Number> && ...)) {
+      static_assert(sizeof...(Operands) == short_operands(K), "desync would show other operands");
       const std::array<word, 3> raw{bits_of(operands.raw())...};
       note_short<K>(from, raw[0], raw[1], result);
       return;
@@ -149,16 +144,11 @@ inline void note_exact(place from, const Result& result, const Operands&... oper
   note_long(word{type_code<Number>} | static_cast<word>(K), from, values, values_of(result));
 }
 
-/// Gives the log the float or double that a conversion starts from.
-inline void input_of(std::floating_point auto x) noexcept {
-  current_log->input(static_cast<double>(x));
-}
-
 /// Records an operation of the type `Number`.
 template <kind K, class Number, class Result, class... Operands>
 inline void note(place from, const Result& result, const Operands&... operands) noexcept {
   if constexpr ((std::floating_point<Operands> || ...)) {
-    if (current_log != nullptr) input_of(operands...);
+    (put_input(static_cast<double>(operands)), ...);
     note_input<K>(from, result);
   } else {
     note_exact<K, Number>(from, result, operands...);
@@ -175,6 +165,7 @@ inline void note_term(place from, const Operands&... operands) noexcept {
 template <kind K, class Number, class... Operands>
 inline void note_throw(place from, const Operands&... operands) noexcept {
   if constexpr ((std::floating_point<Operands> || ...)) {
+    (put_input(static_cast<double>(operands)), ...);
     note_long(word{type_code<Number>} | static_cast<word>(K) | long_threw, from,
               std::array<value, 0>{}, std::array<value, 0>{});
     return;

@@ -14,7 +14,9 @@ namespace fixproof::record {
 /// affect the floating-point code around the type.
 inline std::string origin(std::string_view program) {
   std::string text = "program: ";
-  for (const char c : program.substr(0, 200)) text += c < ' ' ? '?' : c;
+  for (const char c : program.substr(0, 200)) {
+    text += static_cast<unsigned char>(c) < ' ' ? '?' : c;  // `char` may be signed or not
+  }
   text += "\nlibrary: fixproof " + std::to_string(FIXED_VERSION_MAJOR) + '.' +
           std::to_string(FIXED_VERSION_MINOR) + '.' + std::to_string(FIXED_VERSION_PATCH);
   text += "\ncompiler: ";

@@ -181,6 +181,62 @@ TEST_F(Runs, OneMoreOperation) {
   expect_at(found, before + 4 * 4321 + 1);
 }
 
+/// Records two short runs in full, and returns what compare() finds in either order.
+template <class First, class Second>
+std::pair<Comparison, Comparison> compare_short(const std::string& a, const std::string& b,
+                                                const First& first, const Second& second) {
+  {
+    const record::log log(a, {.full = {.first = 0, .last = 9}});
+    first();
+  }
+  {
+    const record::log log(b, {.full = {.first = 0, .last = 9}});
+    second();
+  }
+  LogFile x(a);
+  LogFile y(b);
+  return {desync::compare(x, y), desync::compare(y, x)};
+}
+
+TEST_F(Runs, ARepeatedOperation) {
+  using recorder_test::real;
+  const auto run = [](int repeated) {
+    for (int i = 0; i < 20; ++i) {
+      const real x(q16_16::from_raw(i));
+      (void)(x + x);
+      if (i == repeated) (void)(x + x);
+    }
+  };
+  const auto [one, other] =
+      compare_short(a(), b(), [&] { run(-1); }, [&] { run(12); });
+  for (const Comparison& found : {one, other}) {
+    EXPECT_EQ(found.verdict, Verdict::operands);
+    expect_at(found, 13);
+  }
+}
+
+TEST_F(Runs, AnotherType) {
+  const auto [one, other] = compare_short(
+      a(), b(), [] { (void)(recorded<q16_16>(q16_16(1)) + recorded<q16_16>(q16_16(2))); },
+      [] { (void)(recorded<q8_8>(q8_8(1)) + recorded<q8_8>(q8_8(2))); });
+  EXPECT_EQ(one.verdict, Verdict::type);
+  EXPECT_EQ(other.verdict, Verdict::type);
+  expect_at(one, 0);
+}
+
+TEST_F(Runs, ANumberThatEnters) {
+  using recorder_test::real;
+  const auto is_input = [&](const auto& f) {
+    const auto [one, other] = compare_short(a(), b(), [&] { f(1); }, [&] { f(2); });
+    return one.verdict == Verdict::input && other.verdict == Verdict::input;
+  };
+  EXPECT_TRUE(is_input([](int x) { (void)real::from_raw(x); }));
+  EXPECT_TRUE(is_input([](int x) { (void)real(x); }));
+  EXPECT_TRUE(is_input([](int x) { (void)(ratio<real>(x, 3)); }));
+  EXPECT_TRUE(is_input([](int x) { (void)(real(x / 4.0)); }));
+  EXPECT_FALSE(is_input([](int x) { (void)(real(q16_16(x)) * 3); }));
+}
+
 TEST_F(Runs, TheFirstOperationAndTheLast) {
   expect_at(find(a(), b(), turns, Plant::operand, 0), before + 1);
   expect_at(find(a(), b(), turns, Plant::order, turns - 1), before + 4 * (turns - 1) + 1);
