@@ -232,6 +232,22 @@ int status_of(bool right, const judge::Image& image, const judge::Verdict& verdi
   return 1;
 }
 
+/// Judges a routine whose results have several words, and returns the exit status.
+int judge_whole_results(const JudgeOptions& options, const judge::Subject& subject,
+                        const judge::VerdictOptions& use,
+                        std::optional<support::FrameProgress>& progress) {
+  if (options.prove) throw support::UsageError("--prove is for a routine with one result");
+  const judge::WholeVerdict whole = judge::judge_whole(subject, use);
+  progress.reset();
+  std::cout << heading_text(subject, options.file, rules_line(use.rules, Rounding::given))
+            << whole_text(subject, whole);
+  if (whole.verdict.stuck) return status_of(false, subject.image, whole.verdict);
+  const bool right = print_inspection(subject) && whole.verdict.is_right() &&
+                     whole.candidates.front().exceptions == 0;
+  if (options.clocks) print_clocks(subject);
+  return status_of(right, subject.image, whole.verdict);
+}
+
 int judge_file(const JudgeOptions& options, const CLI::App& command) {
   const support::Interrupt interrupt;
   expect_effects(command);
@@ -258,18 +274,7 @@ int judge_file(const JudgeOptions& options, const CLI::App& command) {
     if (!progress) progress.emplace(all, "cases");
     progress->show(done);
   };
-  if (is_whole(operation)) {
-    if (options.prove) throw support::UsageError("--prove is for a routine with one result");
-    const judge::WholeVerdict whole = judge::judge_whole(subject, use);
-    progress.reset();
-    std::cout << heading_text(subject, options.file, rules_line(use.rules, Rounding::given))
-              << whole_text(subject, whole);
-    if (whole.verdict.stuck) return status_of(false, image, whole.verdict);
-    const bool right = print_inspection(subject) && whole.verdict.is_right() &&
-                       whole.candidates.front().exceptions == 0;
-    if (options.clocks) print_clocks(subject);
-    return status_of(right, image, whole.verdict);
-  }
+  if (is_whole(operation)) return judge_whole_results(options, subject, use, progress);
   use.rounding_is_open =
       options.rounding.empty() && options.rule.empty() && check::is_rounded(operation);
   const judge::Verdict verdict = judge::judge_routine(subject, use);

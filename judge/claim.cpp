@@ -203,17 +203,41 @@ Claim guarded(Claim claim, const cases::Format& format) {
   return claim;
 }
 
+bool has_quotient(Operation operation) {
+  return operation == Operation::div || operation == Operation::mul_div;
+}
+
+bool is_guarded(const check::Rules& rules) {
+  return rules.port != nullptr && rules.port->has_guard;
+}
+
+/// Tells whether a claim can state what a quotient must be. The machine's divide gives none that is
+/// out of range. If there is no result, the routine can only fault, or anything is right.
+bool has_claimable_quotient(const check::Rules& rules) {
+  const bool told =
+      rules.overflow == check::Overflow::any || rules.overflow == check::Overflow::error;
+  const bool is_lack_told =
+      rules.no_result == check::NoResult::any || rules.no_result == check::NoResult::error;
+  const cases::Format& format = rules.format;
+  return told && is_lack_told &&
+         (rules.operation != Operation::div || format.fraction_bits != format.word_bits);
+}
+
+bool is_claimable(const check::Rules& rules, Shape shape) {
+  const cases::Format& format = rules.format;
+  if (rules.port != nullptr && !rules.port->is_general && !is_guarded(rules)) return false;
+  if (!format.is_signed || (format.word_bits != 16 && format.word_bits != 32)) return false;
+  if (shape == Shape::of_digits && format.word_bits != 32) return false;
+  return !has_quotient(rules.operation) || has_claimable_quotient(rules);
+}
+
 }  // namespace
 
 std::optional<Claim> claim_of(const check::Rules& rules, Shape shape) {
   const cases::Format& format = rules.format;
   const int bits = format.word_bits;
-  const bool is_guarded = rules.port != nullptr && rules.port->has_guard;
-  if (rules.port != nullptr && !rules.port->is_general && !is_guarded) return std::nullopt;
-  if (!format.is_signed || (bits != 16 && bits != 32)) return std::nullopt;
-  if (shape == Shape::of_digits && bits != 32) return std::nullopt;
   const Operation operation = rules.operation;
-  const bool divides = operation == Operation::div || operation == Operation::mul_div;
+  if (!is_claimable(rules, shape)) return std::nullopt;
   std::string definitions = filled(signs, format);
   std::string rounded;
   std::string lacks = "false";
@@ -221,12 +245,7 @@ std::optional<Claim> claim_of(const check::Rules& rules, Shape shape) {
   if (operation == Operation::mul) {
     definitions += product_of(shape, format);
     rounded = rounded_product(rules.rounding, format);
-  } else if (divides) {
-    // The machine's divide does not give a quotient that is out of range, so no claim about it is
-    // possible.
-    const bool told =
-        rules.overflow == check::Overflow::any || rules.overflow == check::Overflow::error;
-    if (!told || (operation == Operation::div && format.fraction_bits == bits)) return std::nullopt;
+  } else if (has_quotient(operation)) {
     definitions += quotient_of(shape, operation == Operation::mul_div, format);
     rounded = rounded_quotient(rules.rounding, format);
     lacks = fmt::format("(= {} (_ bv0 {}))", operation == Operation::div ? "b" : "c", bits);
@@ -246,9 +265,6 @@ std::optional<Claim> claim_of(const check::Rules& rules, Shape shape) {
       2 * bits, rounded, bits, bits - 1, lacks, out_of_range);
   const bool any_lack = rules.no_result == check::NoResult::any;
   const bool any_overflow = rules.overflow == check::Overflow::any;
-  // If there is no result, the claim can only be that the routine faults, or that anything is
-  // right.
-  if (divides && !any_lack && rules.no_result != check::NoResult::error) return std::nullopt;
   Claim claim{.definitions = definitions};
   const bool overflow_faults = any_overflow || rules.overflow == check::Overflow::error;
   claim.may_fault = overflow_faults ? "(or lacks (not fits))" : "lacks";
@@ -258,7 +274,7 @@ std::optional<Claim> claim_of(const check::Rules& rules, Shape shape) {
                   any_overflow    ? std::string("true")
                   : other.empty() ? std::string("false")
                                   : fmt::format("(= {{0}} {})", other));
-  return is_guarded ? guarded(claim, format) : claim;
+  return is_guarded(rules) ? guarded(claim, format) : claim;
 }
 
 }  // namespace fixproof::judge

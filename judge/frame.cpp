@@ -163,6 +163,28 @@ std::vector<Parameter> parameters_of(const cases::Variant& v) {
                                 {.bits = bits, .is_signed = v.format.is_signed});
 }
 
+namespace {
+
+void expect_place(const Place& place, const Parameter& parameter, bool may_be_value,
+                  const Frame& frame, const cases::Variant& v, int bits) {
+  if (place.is_pointer) {
+    if (bits_of(place) >= bits) return;
+    throw UsageError(
+        fmt::format("--frame '{}': a pointer of {}-bit code has {} bits", frame.text, bits, bits));
+  }
+  if (!may_be_value) {
+    throw UsageError(fmt::format("--frame '{}': write the registers of {}'s pointers like [si]",
+                                 frame.text, cases::name_of(v.operation)));
+  }
+  if (bits_of(place) < parameter.bits) {
+    throw UsageError(fmt::format(
+        "--frame '{}': a place has {} bits, and a number of {} has {}; write a pair like dx:ax",
+        frame.text, bits_of(place), cases::name_of(v.format), parameter.bits));
+  }
+}
+
+}  // namespace
+
 void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
   const auto parameters = parameters_of(v);
   const std::string_view name = cases::name_of(v.operation);
@@ -176,7 +198,7 @@ void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
     return;
   }
   // In a frame of registers, the results behind pointers are either all parameters or all returned.
-  const std::size_t operands = static_cast<std::size_t>(std::count_if(
+  const auto operands = static_cast<std::size_t>(std::count_if(
       parameters.begin(), parameters.end(), [](const Parameter& p) { return !p.is_result; }));
   const std::size_t results = returns ? 1 : parameters.size() - operands;
   const bool by_pointer = !returns && frame.in.size() == parameters.size() && frame.out.empty();
@@ -186,20 +208,7 @@ void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
                                  results == 1 ? "" : "s"));
   }
   const auto expect = [&](const Place& place, const Parameter& parameter, bool may_be_value) {
-    if (place.is_pointer) {
-      if (bits_of(place) >= bits) return;
-      throw UsageError(fmt::format("--frame '{}': a pointer of {}-bit code has {} bits", frame.text,
-                                   bits, bits));
-    }
-    if (!may_be_value) {
-      throw UsageError(fmt::format("--frame '{}': write the registers of {}'s pointers like [si]",
-                                   frame.text, name));
-    }
-    if (bits_of(place) < parameter.bits) {
-      throw UsageError(fmt::format(
-          "--frame '{}': a place has {} bits, and a number of {} has {}; write a pair like dx:ax",
-          frame.text, bits_of(place), cases::name_of(v.format), parameter.bits));
-    }
+    expect_place(place, parameter, may_be_value, frame, v, bits);
   };
   for (std::size_t i = 0; i < frame.in.size(); ++i) {
     const Parameter& p = parameters[i];

@@ -47,7 +47,7 @@ void load_exe(Image& image, const std::string& bytes) {
   image.bits = 16;
   image.memory.assign(real_mode_bytes, unused);
   if (bytes.size() < header_bytes) throw UsageError("the .EXE is cut off");
-  const std::size_t header = paragraph * word_at(bytes, 8);
+  const std::size_t header = std::size_t{paragraph} * word_at(bytes, 8);
   const std::uint32_t last_page = word_at(bytes, 2);
   const std::size_t pages = word_at(bytes, 4);
   // The header counts only the bytes of the program; debug information may follow.
