@@ -368,8 +368,7 @@ TEST(SceneJson, NamesTheFile) {
   const std::filesystem::path file = folder.path("s.json");
   std::ofstream(file) << R"({"objects": [], "projection_ratio": 0})";
   EXPECT_EQ(xsharp_test::refusal([&] { read_scene(file); }),
-            file.string() +
-                ": scene 's': projection_ratio is 0, must be from -1000 to -0.01");
+            file.string() + ": scene 's': projection_ratio is 0, must be from -1000 to -0.01");
   std::ofstream(file) << std::string((1U << 20U) + 1, ' ');
   EXPECT_EQ(xsharp_test::refusal([&] { read_scene(file); }), file.string() + ": longer than 1 MiB");
 }
