@@ -204,8 +204,9 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
   }
 }
 
-/// The functions of fixed/exponential.hpp, trigonometry.hpp, angle.hpp and power.hpp, numbered.
-constexpr std::uint64_t functions = 29;
+/// The functions of fixed/exponential.hpp, trigonometry.hpp, angle.hpp and power.hpp, and the
+/// remainder of fixed/cmath.hpp, numbered.
+constexpr std::uint64_t functions = 30;
 
 template <class N>
 void compute_function(std::uint64_t function, Draws& draw, Digest& digest) {
@@ -269,6 +270,9 @@ void compute_function(std::uint64_t function, Draws& draw, Digest& digest) {
       return digest.add(hypot(a, b));
     case 27:
       return digest.add(hypot(a, b, draw.number<N>()));
+    case 28:
+      if constexpr (std::is_signed_v<typename N::raw_type>) digest.add(remainder(a, b));
+      return;
     default:
       return digest.add(pow(a, b));
   }
