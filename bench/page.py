@@ -13,17 +13,31 @@ SHAPES = {"chain": "chain", "loop": "loop", "short": "batch, below 64", "long": 
           "memory": "batch, millions"}
 # Transforms round each product, as FIXED.ASM does, so their sums are up to three halves away.
 ROUNDINGS = {"transform, columns": 3, "transform, interleaved": 3}
-# What bounds our side, where that is known: by the operation and the kind of the cell.
-CHAINS = "latency of "
+# What bounds our side, where that is known, by the operation and the kind of the cell.
+ROUNDINGS_COST = "nine products are rounded, as in FIXED.ASM; the peer rounds three sums"
 LIMITS = {
-    ("multiply", "chain"): CHAINS + "multiply, add, shift", ("saturating multiply", "chain"): CHAINS + "the compares",
-    ("divide", "chain"): CHAINS + "the 64-bit divider", ("sqrt", "chain"): CHAINS + "the root of a double",
-    ("to double and back", "chain"): CHAINS + "two conversions",
-    ("divide", "loop"): "64-bit divider: one quotient at a time", ("sqrt", "loop"): "root of doubles",
-    ("divide", "long"): "divider of doubles", ("sqrt", "long"): "root unit",
-    ("multiply", "long"): "vector ALUs", ("sin within 8", "long"): "vector ALUs", ("sin", "long"): "vector ALUs",
-    ("sin_cos within 8", "long"): "vector ALUs", ("transform, columns", "long"): "vector multiplier",
-    ("transform, interleaved", "long"): "vector multiplier, shuffles",
+    ("multiply", "chain"): "latency of multiply, add and shift",
+    ("multiply", "long"): "vector ALUs: shifts and shuffles between 64-bit products",
+    ("saturating multiply", "chain"): "latency of the compares",
+    ("saturating multiply", "long"): "vector ALUs: the report needs every range",
+    ("divide", "chain"): "latency of the 64-bit divider, then of rounding",
+    ("divide", "loop"): "`/` divides 64-bit integers, one at a time; batches divide vectors of doubles",
+    ("divide", "long"): "divider of doubles, and the search for zeros",
+    ("sqrt", "chain"): "latency of the root, and the test for negative numbers",
+    ("sqrt", "loop"): "root of doubles, and the test for negative numbers",
+    ("sqrt", "long"): "root unit",
+    ("to double and back", "chain"): "latency of the tests for NaN and range, which peers leave undefined",
+    ("from double", "loop"): "tests for NaN and range, which peers leave undefined",
+    ("from double", "long"): "tests for NaN and range, which peers leave undefined",
+    ("to double", "long"): "loads and stores",
+    ("sin within 8", "long"): "vector ALUs",
+    ("sin", "long"): "vector ALUs",
+    ("sin_cos within 8", "long"): "vector ALUs",
+    ("dot", "long"): "loads; the sum of the lanes in short spans",
+    ("transform, columns", "loop"): ROUNDINGS_COST,
+    ("transform, columns", "long"): ROUNDINGS_COST,
+    ("transform, interleaved", "loop"): ROUNDINGS_COST,
+    ("transform, interleaved", "long"): ROUNDINGS_COST,
 }
 
 
@@ -75,7 +89,7 @@ def limit(key):
     if kind(key) == "memory" and "sin" not in key[0]:
         return "caches and memory"
     if kind(key) == "short":
-        return "call, choice of path, report"
+        return "call, choice of path, masks, report"
     return LIMITS.get((key[0], "long" if kind(key) == "memory" else kind(key)), "")
 
 
@@ -125,8 +139,9 @@ def matrix(rows):
     lines = []
     for operation in operations(rows):
         line = [found.get((operation, *column)) for column in columns]
-        lines.append([operation, *(shown(cell) if cell else NONE for cell in line), limit((operation, "batch", 4096, 0))])
-    return table(["operation", *names, "limit of long spans"], lines)
+        ratios = [shown(cell) if cell else NONE for cell in line]
+        lines.append([operation, *ratios, limit((operation, "batch", 4096, 0))])
+    return table(["operation", *names, "what bounds long spans"], lines)
 
 
 def below(merged):
@@ -152,8 +167,10 @@ def below(merged):
                 continue
             spans = "" if of in ("chain", "loop") else f": {' '.join(span for _, span, _ in found)}"
             line.append(f"{min(found)[0]:.2f} {min(found)[2]}{spans}")
-        lines.append([operation, SHAPES[of], *line])
-    return table(["operation", "shape", *merged], lines)
+        elements = {"short": 1, "long": 64, "memory": 1_000_000}.get(of, 4096)
+        bound = limit((operation, of if of in ("chain", "loop") else "batch", elements, 0))
+        lines.append([operation, SHAPES[of], *line, bound])
+    return table(["operation", "shape", *merged, "what bounds ours"], lines)
 
 
 def copies(merged):
@@ -204,8 +221,8 @@ def generated(context, merged):
     slower = sum(round(ratio(cell), 2) < 1 for cell in all_cells)
     parts = [
         f"{context['machine']}; {'; '.join(context['compilers'])}; {context['date']}. {missing(context)}",
-        f"## Where a peer is faster\n\n{slower} of {len(all_cells)} cells are below 1. Each line has the least ratio and "
-        f"all spans below 1.\n\n{below(merged)}",
+        f"## Where a peer is faster\n\n{slower} of {len(all_cells)} cells are below 1. Each line has the least ratio "
+        f"and all spans below 1.\n\n{below(merged)}",
         *(f"## {name}\n\n{matrix(rows)}" for name, rows in merged.items()),
         "## Vertices in memory\n\nThe time of a copy of the same bytes, and of the best peer, divided by ours.\n\n"
         f"{copies(merged)}",

@@ -4,8 +4,8 @@
 Builds bench/fair with two compilers and two sets of flags, times all contenders in turn, and writes the tables of
 docs/performance.md. build/performance/ gets results.json and a table of times for each build. Takes at most ten
 minutes.
---quick times for a moment, and leaves docs/performance.md alone. --verify PROGRAM only prints the error of each contender
-of one build, over few operands.
+--quick times for a moment, and leaves docs/performance.md alone. --verify PROGRAM only prints the error of each
+contender of one build, over few operands.
 Exit status 0: done. 1: the number type or a batch has a wrong result. 2: a build or a program fails. 130: stopped.
 """
 
@@ -53,8 +53,9 @@ def build(compiler, flags):
     folder = os.path.join(WORK, re.sub(r"[^\w+]+", "-", f"{compiler}{flags}"))
     os.makedirs(folder, exist_ok=True)
     log = folder + ".log"
-    said = run(["cmake", "-S", os.path.join(ROOT, "bench", "fair"), "-B", folder, "-G", "Ninja", "-D", "CMAKE_BUILD_TYPE=",
-                "-D", f"CMAKE_CXX_COMPILER={compiler}", "-D", f"CMAKE_CXX_FLAGS={flags} {COMMON_FLAGS}"], log)
+    options = ("CMAKE_BUILD_TYPE=", f"CMAKE_CXX_COMPILER={compiler}", f"CMAKE_CXX_FLAGS={flags} {COMMON_FLAGS}")
+    said = run(["cmake", "-S", os.path.join(ROOT, "bench", "fair"), "-B", folder, "-G", "Ninja",
+                *(f"-D{option}" for option in options)], log)
     run(["cmake", "--build", folder], log)
     return os.path.join(folder, "fair"), re.findall(r"fair: without (\S+),", said)
 
@@ -64,8 +65,8 @@ def results(program, options):
 
 
 def merge(passes):
-    """The least time and the largest error of each contender. A contender's error in one cell holds for all cells of the
-    operation: a chain, for example, meets few operands."""
+    """The least time and the largest error of each contender. A contender's error in one cell holds for all cells of
+    the operation: a chain, for example, meets few operands."""
     best, errors = {}, {}
     for one in passes:
         for r in one:

@@ -31,8 +31,9 @@ lines = set(done.stdout.splitlines())
 for line in ("multiply: batch: exact", "multiply: type: exact", "multiply: idiom: exact",
              "multiply: idiom, rounds down: up to 0.999985 ulp", "divide: idiom, truncates: up to 0.999985 ulp",
              "divide: batch: exact", "divide: double: exact", "sqrt: batch: exact", "sin: type: exact",
-             "sin_cos within 8: batch: exact", "dot: batch: exact", "from double: floor: exact", "to double: batch: exact",
-             "transform, columns: batch: exact products, up to 1.5 ulp", "transform, columns: idiom, one rounding: exact"):
+             "sin_cos within 8: batch: exact", "dot: batch: exact", "from double: floor: exact",
+             "to double: batch: exact", "transform, columns: batch: exact products, up to 1.5 ulp",
+             "transform, columns: idiom, one rounding: exact"):
     expect(line in lines, f"no '{line}' in:\n{done.stdout}")
 
 # A program whose batch is wrong.
@@ -40,7 +41,8 @@ with tempfile.TemporaryDirectory() as folder:
     wrong = os.path.join(folder, "wrong")
     with open(wrong, "w", encoding="utf-8") as file:
         file.write("""#!/bin/sh
-echo '{"operation": "dot", "shape": "batch", "elements": 4, "offset": 0, "name": "batch", "ours": true, "error": 0.51, "ns": 0}'
+echo '{"operation": "dot", "shape": "batch", "elements": 4, "offset": 0,
+  "name": "batch", "ours": true, "error": 0.51, "ns": 0}' | tr -d '\\n'
 """)
     os.chmod(wrong, stat.S_IRWXU)
     done = verdicts(wrong)
