@@ -285,8 +285,8 @@ inline constexpr std::size_t past_caches_from = std::size_t{8} << 20;
 /// \return the number of vertices done
 template <class N, class Places>
 FIXED_LANE_FUNCTION std::size_t transform_blocks(const raw_transform<typename N::raw_type>& by,
-                                               const Places& places, std::size_t count,
-                                               fault_recorder& found) {
+                                                 const Places& places, std::size_t count,
+                                                 fault_recorder& found) {
   constexpr std::uint32_t all = ~0U;
   const broadcast_transform t = broadcast<typename N::raw_type>(by);
   std::size_t i = 0;
