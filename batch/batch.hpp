@@ -174,8 +174,9 @@ namespace fixproof::batch {
 /// out[i] = a[i] * b[i].
 template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
           detail::output_of<detail::element_t<A>> Out>
-report multiply(const A& a, const B& b, Out&& out,
-                const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
+FIXED_ALWAYS_INLINE report
+multiply(const A& a, const B& b, Out&& out,
+         const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
   using N = detail::element_t<A>;
   const N* const x = std::data(a);
   const N* const y = std::data(b);
@@ -192,8 +193,9 @@ report multiply(const A& a, const B& b, Out&& out,
 /// out[i] = mul_add(a[i], b[i], c[i]): the product and the sum, rounded once.
 template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
           detail::input_of<detail::element_t<A>> C, detail::output_of<detail::element_t<A>> Out>
-report mul_add(const A& a, const B& b, const C& c, Out&& out,
-               const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
+FIXED_ALWAYS_INLINE report
+mul_add(const A& a, const B& b, const C& c, Out&& out,
+        const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
   using N = detail::element_t<A>;
   const N* const x = std::data(a);
   const N* const y = std::data(b);
@@ -213,8 +215,9 @@ report mul_add(const A& a, const B& b, const C& c, Out&& out,
 /// operator/ returns a value for it.
 template <detail::number_range Numerators, detail::input_of<detail::element_t<Numerators>> Divisors,
           detail::output_of<detail::element_t<Numerators>> Out>
-report divide(const Numerators& n, const Divisors& d, Out&& out, const options& how = {}) noexcept(
-    detail::element_t<Numerators>::divide_never_throws) {
+FIXED_ALWAYS_INLINE report
+divide(const Numerators& n, const Divisors& d, Out&& out,
+       const options& how = {}) noexcept(detail::element_t<Numerators>::divide_never_throws) {
   using N = detail::element_t<Numerators>;
   constexpr policy P = N::rules;
   const N* const x = std::data(n);
@@ -239,8 +242,8 @@ report divide(const Numerators& n, const Divisors& d, Out&& out, const options& 
 
 /// out[i] = sqrt(x[i]). Counts negative operands under every policy.
 template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
-report sqrt(const X& x, Out&& out,
-            const options& how = {}) noexcept(detail::element_t<X>::never_throws) {
+FIXED_ALWAYS_INLINE report
+sqrt(const X& x, Out&& out, const options& how = {}) noexcept(detail::element_t<X>::never_throws) {
   using N = detail::element_t<X>;
   const N* const from = std::data(x);
   N* const to = std::data(out);
@@ -295,9 +298,9 @@ detail::element_t<A> dot(const A& a, const B& b,
 /// of 32-bit results bypass the caches.
 template <class Raw, int F, policy P, detail::tuples_of<number<Raw, F, P>, 3> In,
           detail::output_tuples_of<number<Raw, F, P>, 3> Out>
-report transform(
-    const detail::transform_rows<number<Raw, F, P>>& rows, const In& in, Out&& out,
-    const options& how = {}) noexcept(detail::transform_never_throws<number<Raw, F, P>>) {
+FIXED_ALWAYS_INLINE report
+transform(const detail::transform_rows<number<Raw, F, P>>& rows, const In& in, Out&& out,
+          const options& how = {}) noexcept(detail::transform_never_throws<number<Raw, F, P>>) {
   using N = number<Raw, F, P>;
   detail::check_transform<N>();
   const detail::raw_transform<Raw> by = detail::raws_of<N>(rows);
@@ -320,10 +323,10 @@ template <class Raw, int F, policy P, detail::input_of<number<Raw, F, P>> X,
           detail::input_of<number<Raw, F, P>> Y, detail::input_of<number<Raw, F, P>> Z,
           detail::output_of<number<Raw, F, P>> ToX, detail::output_of<number<Raw, F, P>> ToY,
           detail::output_of<number<Raw, F, P>> ToZ>
-report transform(
-    const detail::transform_rows<number<Raw, F, P>>& rows, const X& x, const Y& y, const Z& z,
-    ToX&& to_x, ToY&& to_y, ToZ&& to_z,
-    const options& how = {}) noexcept(detail::transform_never_throws<number<Raw, F, P>>) {
+FIXED_ALWAYS_INLINE report
+transform(const detail::transform_rows<number<Raw, F, P>>& rows, const X& x, const Y& y, const Z& z,
+          ToX&& to_x, ToY&& to_y, ToZ&& to_z,
+          const options& how = {}) noexcept(detail::transform_never_throws<number<Raw, F, P>>) {
   using N = number<Raw, F, P>;
   detail::check_transform<N>();
   const detail::raw_transform<Raw> by = detail::raws_of<N>(rows);
@@ -346,8 +349,9 @@ report transform(
 /// both the quotient and the product. An element has a divide error if either quotient has one.
 template <class Raw, int F, policy P, detail::tuples_of<number<Raw, F, P>, 3> In,
           detail::output_tuples_of<number<Raw, F, P>, 2> Out>
-report project(const In& in, number<Raw, F, P> constant, Out&& out,
-               const options& how = {}) noexcept(detail::project_never_throws<number<Raw, F, P>>) {
+FIXED_ALWAYS_INLINE report
+project(const In& in, number<Raw, F, P> constant, Out&& out,
+        const options& how = {}) noexcept(detail::project_never_throws<number<Raw, F, P>>) {
   using N = number<Raw, F, P>;
   detail::check_project<N>();
   const void* const from = std::data(in);
@@ -368,9 +372,9 @@ report project(const In& in, number<Raw, F, P> constant, Out&& out,
 template <class Raw, int F, policy P, detail::input_of<number<Raw, F, P>> X,
           detail::input_of<number<Raw, F, P>> Y, detail::input_of<number<Raw, F, P>> Z,
           detail::output_of<number<Raw, F, P>> ToX, detail::output_of<number<Raw, F, P>> ToY>
-report project(const X& x, const Y& y, const Z& z, number<Raw, F, P> constant, ToX&& to_x,
-               ToY&& to_y,
-               const options& how = {}) noexcept(detail::project_never_throws<number<Raw, F, P>>) {
+FIXED_ALWAYS_INLINE report
+project(const X& x, const Y& y, const Z& z, number<Raw, F, P> constant, ToX&& to_x, ToY&& to_y,
+        const options& how = {}) noexcept(detail::project_never_throws<number<Raw, F, P>>) {
   using N = number<Raw, F, P>;
   detail::check_project<N>();
   const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};

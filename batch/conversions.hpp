@@ -44,8 +44,8 @@ namespace fixproof::batch {
 /// overflow::saturate and overflow::trap, infinities and other values out of range count as
 /// overflows.
 template <detail::float_range X, detail::number_range Out>
-requires detail::output_of<Out, detail::element_t<Out>> report from_floats(const X& x, Out&& out,
-                                                                           const options& how = {})
+requires detail::output_of<Out, detail::element_t<Out>> FIXED_ALWAYS_INLINE report
+from_floats(const X& x, Out&& out, const options& how = {})
 noexcept(detail::element_t<Out>::never_throws) {
   using N = detail::element_t<Out>;
   using Float = detail::element_t<X>;
@@ -63,7 +63,7 @@ noexcept(detail::element_t<Out>::never_throws) {
 /// out[i] = the float or double nearest to x[i], with ties to even, in every rounding mode of the
 /// processor.
 template <detail::number_range X, detail::float_output Out>
-void to_floats(const X& x, Out&& out, path use = best()) noexcept {
+FIXED_ALWAYS_INLINE void to_floats(const X& x, Out&& out, path use = best()) noexcept {
   using N = detail::element_t<X>;
   using Float = detail::element_t<Out>;
   const N* const from = std::data(x);

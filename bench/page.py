@@ -1,260 +1,238 @@
-#!/usr/bin/env python3
-"""usage: page.py FOLDER
+"""The tables of docs/performance.md, from the results of bench/performance.py."""
 
-Reads the JSON files that the programs of bench/ have written to FOLDER and writes FOLDER/performance.md.
-Exit status 1: a benchmark computed a wrong result. 2: the page cannot be made.
-"""
-
-import json
-import os
-import re
-import statistics
-import sys
-import traceback
-
-PATHS = ("avx512", "avx2", "neon", "portable")
-PATH_NAMES = {"avx512": "AVX-512", "avx2": "AVX2", "neon": "NEON", "portable": "portable"}
-PROGRAMS = ("limit", "batch", "radian", "arithmetic", "scale")
+BEGIN, END = "<!-- begin: scripts/performance -->", "<!-- end: scripts/performance -->"
 NONE = "–"
-
-# The page; each word in capitals stands for a table or a figure.
-PAGE = """\
-# Performance
-
-This page compares the number type with the fastest alternative of the same accuracy. `scripts/performance` writes it from
-the output of the programs in `build/release/bench/` ([bench/](../bench/README.md)). All except `limit_bench` check their
-results before they time them. [trade.md](trade.md#time-on-this-processor) sets times against errors.
-
-- **Machine**: MACHINE
-- **Times** are medians in nanoseconds of processor time, for one element, vertex or object. A **ratio** is the peer's time
-  divided by ours: above 1, ours is faster. Compare figures of this page with each other, not with another machine's.
-- **An exact peer** returns the nearest 16.16 word for every operand that is timed; in a transform, for every product. The
-  idiom is `(int64_t(a) * b + 0x8000) >> 16`; its divide truncates, so it is no exact peer of a divide. "Unrounded": the
-  peer's result stays in `double` or `float`. "Loop": the type's own operators, where there is no exact peer. FT_DivFix is
-  FreeType's, timed by `arithmetic_bench`.
-- **Flags**, the same for ours and the peers: `ALL_FLAGS` (`batch_bench`: `BATCH_FLAGS`).
-  FreeType and the C library are the installed ones. Without `-march`, all but the AVX2 and AVX-512 paths have SSE2 on
-  x86-64. Those two are chosen at run time, so their ratios are the gain of a program that is built for every x86-64
-  processor. With `-march=native` the peers are faster and the ratios smaller; this page does not measure that.
-
-## Arrays
-
-`batch_bench`: the operations of `batch/batch.hpp` on 1,024 elements in the first-level cache, in arrays that begin at
-multiples of 64 bytes. The limit is what the scarcest resource alone takes on the fastest path, by `limit_bench`:
-RESOURCES.
-
-BATCHES
-
-## Vertices in memory
-
-`batch_bench`: the transform by a 3 x 4 matrix on the fastest path and `memcpy` both read and write 12 bytes per vertex.
-`memcpy` is no lower limit, because large transforms [write past the caches](batch.md#large-transforms).
-
-MOVING
-
-## Single operations
-
-`arithmetic_bench`, the loops of `fixproof measure --host`: over arrays (each), and in chains, where every result is an
-operand of the next. `/` divides [integers or doubles](batch.md#the-scalar-divide).
-
-SINGLE
-
-## Sine and cosine of radians
-
-`radian_bench`. The peer is `std::sin` of `double` and `lrint`, one by one.
-[measurements.md](measurements.md#sines-and-cosines-of-radians) has the errors.
-
-SINES
-
-## Large scenes
-
-`scale_bench`: elapsed nanoseconds per vertex for a frame before it is filled (move, transform, project, hide, sort, make
-polygons). The objects are balls of 114 vertices and 128 faces, all turning and in sight, and the type is `q16_16_i386`.
-The copy moves the coordinates alone, 12 bytes in and 12 out.
-
-FRAMES
-
-Sorting by depth takes SORTED.
-"""
+# Peers in cells: the table has no room for names.
+CODES = {"idiom": "i", "idiom, one rounding": "i1", "idiom, rounds down": "ir", "idiom, truncates": "it", "double": "d",
+         "float": "f", "rint": "r", "floor": "fl", "libfixmath": "x", "FreeType": "ft", "Highway": "h", "libmvec": "m",
+         "SLEEF": "s", "Eigen, double": "e", "Eigen, float arrays": "ef"}
+COPIES = "copy of vertices"
+SPANS = ((1, 0), (4, 0), (8, 0), (15, 0), (16, 0), (31, 0), (64, 0), (64, 4), (64, 16), (4096, 0), (4096, 4),
+         (4096, 16), (1_000_000, 0))
+SHAPES = {"chain": "chain", "loop": "loop", "short": "batch, below 64", "long": "batch, 64 or more",
+          "memory": "batch, millions"}
+# Transforms round each product, as FIXED.ASM does, so their sums are up to three halves away.
+ROUNDINGS = {"transform, columns": 3, "transform, interleaved": 3}
+# What bounds our side, where that is known, by the operation and the kind of the cell.
+ROUNDINGS_COST = "nine products are rounded, as in FIXED.ASM; the peer rounds three sums"
+LIMITS = {
+    ("multiply", "chain"): "latency of multiply, add and shift",
+    ("multiply", "long"): "vector ALUs: shifts and shuffles between 64-bit products",
+    ("saturating multiply", "chain"): "latency of the compares",
+    ("saturating multiply", "long"): "vector ALUs: the report needs every range",
+    ("divide", "chain"): "latency of the 64-bit divider, then of rounding",
+    ("divide", "loop"): "`/` divides 64-bit integers, one at a time; batches divide vectors of doubles",
+    ("divide", "long"): "divider of doubles, and the search for zeros",
+    ("sqrt", "chain"): "latency of the root, and the test for negative numbers",
+    ("sqrt", "loop"): "root of doubles, and the test for negative numbers",
+    ("sqrt", "long"): "root unit",
+    ("to double and back", "chain"): "latency of the tests for NaN and range, which peers leave undefined",
+    ("from double", "loop"): "tests for NaN and range, which peers leave undefined",
+    ("from double", "long"): "tests for NaN and range, which peers leave undefined",
+    ("to double", "long"): "loads and stores",
+    ("sin within 8", "long"): "vector ALUs",
+    ("sin", "long"): "vector ALUs",
+    ("sin_cos within 8", "long"): "vector ALUs",
+    ("dot", "long"): "loads; the sum of the lanes in short spans",
+    ("transform, columns", "loop"): ROUNDINGS_COST,
+    ("transform, columns", "long"): ROUNDINGS_COST,
+    ("transform, interleaved", "loop"): ROUNDINGS_COST,
+    ("transform, interleaved", "long"): ROUNDINGS_COST,
+}
 
 
-class Wrong(Exception):
-    """A benchmark computed a wrong result."""
+class Damaged(Exception):
+    """docs/performance.md lacks the place of the tables."""
 
 
-def read(folder, program):
-    """The median ns per item of each benchmark of a program, the counters of one run, and the context."""
-    with open(f"{folder}/{program}_bench.json", encoding="utf-8") as file:
-        text = json.load(file)
-    times, counters = {}, {}
-    for run in text["benchmarks"]:
-        if run.get("error_occurred"):
-            raise Wrong(f"{program}_bench: {run['name']}: {run['error_message']}")
-        if run["run_type"] == "iteration":
-            rate = run["items_per_second"] if "items_per_second" in run else run["bytes_per_second"]
-            name = re.sub(r"/(real_time|repeats:\d+)", "", run["run_name"])
-            times.setdefault(name, []).append(1e9 / rate)
-            counters[name] = run
-    return {name: statistics.median(t) for name, t in times.items()}, counters, text["context"]
+def is_right(r):
+    """Whether the result is a nearest one, for a transform of each product."""
+    return r["error"] <= ROUNDINGS.get(r["operation"], 1) / 2
+
+
+def label(r):
+    """The verdict on a contender, with its largest error."""
+    if r["error"] <= 0.5:
+        return "exact"
+    return ("exact products, " if is_right(r) else "") + f"up to {r['error']:.6g} ulp"
+
+
+def cells(rows):
+    """The contenders of each cell, by operation, shape, elements and offset."""
+    found = {}
+    for r in rows:
+        found.setdefault((r["operation"], r["shape"], r["elements"], r["offset"]), []).append(r)
+    return found
+
+
+def ours_of(cell):
+    return next(r for r in cell if r["ours"])
+
+
+def best_peer(cell):
+    """The fastest peer that is exact, or in transforms at least as exact as our side."""
+    return min((r for r in cell if not r["ours"] and is_right(r)), key=lambda r: r["ns"], default=None)
+
+
+def ratio(cell):
+    return best_peer(cell)["ns"] / ours_of(cell)["ns"]
+
+
+def kind(key):
+    _, shape, elements, _ = key
+    if shape != "batch":
+        return shape
+    return "memory" if elements >= 1_000_000 else "long" if elements >= 64 else "short"
+
+
+def limit(key):
+    if kind(key) == "memory" and "sin" not in key[0]:
+        return "caches and memory"
+    if kind(key) == "short":
+        return "call, choice of path, masks, report"
+    return LIMITS.get((key[0], "long" if kind(key) == "memory" else kind(key)), "")
+
+
+def place(key):
+    _, shape, elements, offset = key
+    return shape if shape != "batch" else f"{elements:,}" + (f" + {offset} bytes" if offset else "")
 
 
 def number(x):
-    """Three digits."""
-    if x >= 100:
-        return f"{x:,.0f}"
-    return f"{x:.3g}" if x < 1 else f"{x:.{2 if x < 10 else 1}f}"
-
-
-def cell(x):
-    return x if isinstance(x, str) else NONE if x is None else number(x)
-
-
-def over(peer, ours):
-    return None if peer is None else peer / ours
+    return f"{x:.3g}" if x < 100 else f"{x:.0f}"
 
 
 def table(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "| --- |" + " --- |" * (len(head) - 1)]
-    return "\n".join(lines + ["| " + " | ".join(cell(x) for x in row) + " |" for row in rows])
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(str(x) for x in line) + " |" for line in lines)
 
 
-def paths_of(batch):
-    return [p for p in PATHS if f"multiply/batch_{p}/1024" in batch]
+def times(name, rows):
+    """All times of one build, in nanoseconds for an element."""
+    lines = []
+    for key, cell in cells(rows).items():
+        if key[0] == COPIES:
+            for r in cell:
+                lines.append([key[0], place(key), NONE, f"{r['name']} {number(r['ns'])}", NONE, ""])
+            continue
+        ours, peer = ours_of(cell), best_peer(cell)
+        lines.append([key[0], place(key), number(ours["ns"]), f"{peer['name']} {number(peer['ns'])}",
+                      f"{ratio(cell):.2f}", limit(key)])
+    head = ["operation", "elements", "ours, ns", "best exact peer, ns", "ratio", "limit"]
+    return f"# {name}\n\n{table(head, lines)}\n"
 
 
-def limits(limit, path):
-    """For each operation the least time of its most limiting resource, and what that is."""
-    one = {"products": f"multiply_{path}", "quotients": f"divide_double_{path}", "roots": f"root_double_{path}",
-           "bytes loaded": f"load_{path}", "bytes stored": f"store_{path}"}
-    if not all(name in limit for name in one.values()):
-        return {}
-    transform = (9, 0, 0, 12, 12)
-    needs = {"multiply": (1, 0, 0, 8, 4), "mul_add": (1, 0, 0, 12, 4), "divide": (0, 1, 0, 8, 4), "sqrt": (0, 0, 1, 4, 4),
-             "dot": (1, 0, 0, 8, 0), "transform": transform, "transform_columns": transform, "project": (2, 2, 0, 12, 8)}
-    return {operation: max((count * limit[name], f"{count} {kind}" if count > 1 else f"{count} {kind[:-1]}")
-                           for count, (kind, name) in zip(counts, one.items()))
-            for operation, counts in needs.items()}
+def shown(cell):
+    text = f"{ratio(cell):.2f}"
+    return (f"**{text}**" if float(text) < 1 else text) + " " + CODES[best_peer(cell)["name"]]
 
 
-def batches(batch, arithmetic, bounds):
-    paths = paths_of(batch)
-    fastest = paths[0]
-    peers = {"multiply": ("multiply", "idiom"), "mul_add": ("mul_add", "idiom"), "sqrt": ("sqrt", "double"),
-             "transform": ("transform", "idiom"), "transform_columns": ("transform", "idiom")}
-    names = {"transform": "transform, interleaved", "transform_columns": "transform, in columns"}
-    labels = {"idiom": "idiom", "double": "`double`, unrounded:"}
-    rows = []
-    for operation in ("multiply", "mul_add", "divide", "sqrt", "dot", "transform", "transform_columns", "project"):
-        ours = {p: batch[f"{operation}/batch_{p}/1024"] for p in paths}
-        peer = far = None
-        if operation in peers:
-            of, name = peers[operation]
-            peer, far = (batch[f"{of}/{name}/{elements}"] for elements in (1024, 1_000_000))
-            shown = f"{labels[name]} {number(peer)}"
-        elif operation == "divide" and "div/FreeType" in arithmetic:
-            peer = arithmetic["div/FreeType"]
-            shown = f"FT_DivFix {number(peer)}"
-        else:
-            shown = f"(loop {number(batch[f'{operation}/q16_16/1024'])})"
-        rows.append([names.get(operation, operation), *(ours[p] for p in reversed(paths)), shown,
-                     over(peer, ours["portable"]), over(peer, ours[fastest]),
-                     over(far, batch[f"{operation}/batch_{fastest}/1000000"]), bounds[operation][0] if bounds else None])
-    best = PATH_NAMES[fastest]
-    return table(["operation", *(PATH_NAMES[p] for p in reversed(paths)), "best exact peer", "ratio, portable",
-                  f"ratio, {best}", f"ratio, {best}, 1,000,000 elements", "limit"], rows)
+def operations(rows):
+    return list(dict.fromkeys(r["operation"] for r in rows if r["operation"] != COPIES))
 
 
-def moving(batch):
-    path = paths_of(batch)[0]
-    rows = []
+def matrix(rows):
+    """The ratios of one build: a line for each operation."""
+    found = cells(rows)
+    columns = [("chain", 4096, 0), ("loop", 4096, 0), *(("batch", *span) for span in SPANS)]
+    names = [shape if shape != "batch" else f"{n:,}" + (f"+{offset}" if offset else "") for shape, n, offset in columns]
+    lines = []
+    for operation in operations(rows):
+        line = [found.get((operation, *column)) for column in columns]
+        ratios = [shown(cell) if cell else NONE for cell in line]
+        lines.append([operation, *ratios, limit((operation, "batch", 4096, 0))])
+    return table(["operation", *names, "what bounds long spans"], lines)
+
+
+def below(merged):
+    """The least ratio of every kind of cell that has a ratio below 1, for each build; the worst first."""
+    least = {}
+    for name, rows in merged.items():
+        for key, cell in cells(rows).items():
+            if key[0] == COPIES or round(ratio(cell), 2) >= 1:
+                continue
+            worst = least.setdefault((key[0], kind(key)), {}).setdefault(name, [])
+            span = f"{key[2]:,}" + (f"+{key[3]}" if key[3] else "")
+            worst.append((ratio(cell), span, CODES[best_peer(cell)["name"]]))
+    lines = []
+    def worst_of(item):
+        return min(min(found) for found in item[1].values())
+
+    for (operation, of), builds in sorted(least.items(), key=worst_of):
+        line = []
+        for name in merged:
+            found = builds.get(name)
+            if not found:
+                line.append(NONE)
+                continue
+            spans = "" if of in ("chain", "loop") else f": {' '.join(span for _, span, _ in found)}"
+            line.append(f"{min(found)[0]:.2f} {min(found)[2]}{spans}")
+        elements = {"short": 1, "long": 64, "memory": 1_000_000}.get(of, 4096)
+        bound = limit((operation, of if of in ("chain", "loop") else "batch", elements, 0))
+        lines.append([operation, SHAPES[of], *line, bound])
+    return table(["operation", "shape", *merged, "what bounds ours"], lines)
+
+
+def copies(merged):
+    """Transforms of many vertices beside copies of the same bytes."""
+    lines = []
     for count in (1_000_000, 10_000_000):
-        copy = batch[f"transform/copy/{count}"]
-        for layout, name in (("interleaved", "transform"), ("in columns", "transform_columns")):
-            ours = batch[f"{name}/batch_{path}/{count}"]
-            rows.append([f"{count:,}, {layout}", ours, copy, over(copy, ours)])
-    return table(["vertices", "ours", "`memcpy`", "ratio"], rows)
+        for operation in ROUNDINGS:
+            line = [f"{operation.removeprefix('transform, ')}, {count:,}"]
+            for rows in merged.values():
+                found = cells(rows)
+                cell, copy = found.get((operation, "batch", count, 0)), found.get((COPIES, "batch", count, 0))
+                by_name = {r["name"]: r["ns"] for r in copy or []}
+                for name in ("memcpy", "copy past the caches"):
+                    line.append(f"{by_name[name] / ours_of(cell)['ns']:.2f}" if cell and name in by_name else NONE)
+                line.append(shown(cell) if cell else NONE)
+            lines.append(line)
+    head = [f"{name}: {what}" for name in merged for what in ("memcpy", "streaming copy", "best peer")]
+    return table(["vertices", *head], lines)
 
 
-def single(arithmetic):
-    rows = []
-    for label, name, peer in (("multiply", "mul", "idiom"), ("divide", "div", "FreeType"), ("square root", "sqrt", "double"),
-                              ("cosine of tenths of a degree", "cos", "float"),
-                              ("transform of a vertex", "vertex", "idiom")):
-        row = [label]
-        for end in ("", "/chain"):
-            ours, other = (arithmetic.get(f"{name}/{who}{end}") for who in ("q16_16", peer))
-            shown = {"FreeType": "FT_DivFix", "idiom": "idiom"}.get(peer, f"`{peer}`, unrounded:")
-            row += [ours, f"{shown} {number(other)}" if other else None, over(other, ours)]
-        rows.append(row)
-    return table(["operation", "each: ours", "best exact peer", "ratio", "chain: ours", "best exact peer", "ratio"], rows)
+def peers(merged):
+    """What the verification says about each peer, over all builds."""
+    worst, order = {}, {}
+    for rows in merged.values():
+        for r in rows:
+            if r["ours"] or r["operation"] == COPIES:
+                continue
+            order.setdefault(r["name"], []).append(r["operation"])
+            key = (r["name"], r["operation"])
+            if key not in worst or r["error"] > worst[key]["error"]:
+                worst[key] = r
+    lines = []
+    for name, all_operations in order.items():
+        verdicts = {}
+        for operation in dict.fromkeys(all_operations):
+            verdicts.setdefault(label(worst[name, operation]), []).append(operation)
+        lines.append([CODES[name], name, "; ".join(f"{verdict}: {', '.join(of)}" for verdict, of in verdicts.items())])
+    return table(["code", "peer", "verified"], lines)
 
 
-def sines(radian):
-    rows = []
-    for words, label in (("within_8", "within ±8"), ("all", "all words")):
-        for function in ("sin", "sin_cos"):
-            one, batch = (radian[f"{function}/q16_16{how}/{words}"] for how in ("", "_batch"))
-            peer = radian.get(f"{function}/double/{words}")
-            rows.append([f"`{function}`, {label}", one, batch, peer, over(peer, one), over(peer, batch)])
-    return table(["operation", "one by one", "batch", "best exact peer", "ratio, one by one", "ratio, batch"], rows)
+def missing(context):
+    absent = [f"{peer} ({name})" for name, names in context["missing"].items() for peer in names]
+    return f"Not installed, so not compared: {len(absent)}" + (f", {', '.join(absent)}." if absent else ".")
 
 
-def frames(scale, counters):
-    rows = []
-    for objects in (10, 100, 1_000, 10_000, 100_000):
-        one = f"frame<Type>/objects:{objects}/threads:1"
-        others = (one.replace("Type", kind).replace("threads:1", f"threads:{threads}")
-                  for kind in ("Type", "double") for threads in (1, 2))
-        rows.append([f"{114 * objects:,}", *(scale[name] for name in others), scale[f"copy/{objects}"],
-                     f"{counters[one]['bytes_per_vertex']:.0f}"])
-    return table(["vertices", "type, 1 thread", "type, 2 threads", "`double`, 1 thread", "`double`, 2 threads",
-                  "copy", "bytes per vertex"], rows)
+def generated(context, merged):
+    all_cells = [cell for rows in merged.values() for key, cell in cells(rows).items() if key[0] != COPIES]
+    slower = sum(round(ratio(cell), 2) < 1 for cell in all_cells)
+    parts = [
+        f"{context['machine']}; {'; '.join(context['compilers'])}; {context['date']}. {missing(context)}",
+        f"## Where a peer is faster\n\n{slower} of {len(all_cells)} cells are below 1. Each line has the least ratio "
+        f"and all spans below 1.\n\n{below(merged)}",
+        *(f"## {name}\n\n{matrix(rows)}" for name, rows in merged.items()),
+        "## Vertices in memory\n\nThe time of a copy of the same bytes, and of the best peer, divided by ours.\n\n"
+        f"{copies(merged)}",
+        f"## Peers\n\n{peers(merged)}",
+    ]
+    return "\n\n".join(parts)
 
 
-def sorted_in(scale):
-    """The least and the most time of sorting per object, over all counts of objects."""
-    def spread(name):
-        found = {int(key.rpartition("/")[2]): t for key, t in scale.items() if key.startswith(name + "/")}
-        return f"{number(min(found.values()))} to {number(max(found.values()))} ns"
-    return (f"{spread('sort_little')} per object if a tenth of the objects have changed places, and\n"
-            f"{spread('sort_reversed')} if their order is reversed, for 10 to 1,000,000 objects")
-
-
-def machine(context):
-    processor = "an unknown processor"
-    if os.path.exists("/proc/cpuinfo"):
-        with open("/proc/cpuinfo", encoding="utf-8") as file:
-            match = re.search(r"model name\s*: (.+)", file.read())
-            processor = match.group(1) if match else processor
-    return (f"{processor}, {context['num_cpus']} processors; {context['compiler']}; {context['date'][:10]}; load at the start "
-            f"{context['load_avg'][0]:.1f}.")
-
-
-def main():
-    if len(sys.argv) != 2:
-        print(__doc__, file=sys.stderr)
-        return 2
-    folder = sys.argv[1]
-    times, counters, contexts = {}, {}, {}
-    for program in PROGRAMS:
-        times[program], counters[program], contexts[program] = read(folder, program)
-    bounds = limits(times["limit"], paths_of(times["batch"])[0])
-    resources = ", ".join(f"{operation} {what}" for operation, (_, what) in bounds.items() if operation != "transform_columns")
-    parts = {"MACHINE": machine(contexts["limit"]), "ALL_FLAGS": contexts["limit"]["flags"],
-             "BATCH_FLAGS": contexts["batch"]["flags"], "BATCHES": batches(times["batch"], times["arithmetic"], bounds),
-             "RESOURCES": resources or "unknown for this processor", "MOVING": moving(times["batch"]),
-             "SINGLE": single(times["arithmetic"]), "SINES": sines(times["radian"]),
-             "FRAMES": frames(times["scale"], counters["scale"]), "SORTED": sorted_in(times["scale"])}
-    with open(f"{folder}/performance.md", "w", encoding="utf-8") as file:
-        file.write(re.sub("|".join(parts), lambda match: parts[match.group()], PAGE))
-    return 0
-
-
-try:
-    sys.exit(main())
-except Wrong as wrong:
-    print(f"page.py: {wrong}", file=sys.stderr)
-    sys.exit(1)
-except Exception:
-    traceback.print_exc()
-    sys.exit(2)
+def replaced(text, context, merged):
+    """The page with new tables between its marks."""
+    if text.count(BEGIN) != 1 or text.count(END) != 1 or text.index(BEGIN) > text.index(END):
+        raise Damaged(f"docs/performance.md needs '{BEGIN}' and '{END}', once each and in this order: put them back")
+    return text[:text.index(BEGIN)] + f"{BEGIN}\n\n{generated(context, merged)}\n\n" + text[text.index(END):]

@@ -88,6 +88,13 @@ struct from_float_blocks {
                                                                     Part part) const {
     using limits = std::numeric_limits<typename N::raw_type>;
     constexpr rounding R = N::rules.multiply;
+    if constexpr (has_half_up_words && R == rounding::half_up && sizeof(N) == 4) {
+      // Rounding the sum down does not change its floor. The least word may be a result, too; it is
+      // rare enough to be computed again.
+      constexpr double one = std::uint64_t{1} << N::fraction_bits;
+      const half_i32 values = half_up_words(load_doubles<Float, R>(x, i, part), one);
+      return {x, out, values, zero_bits(values ^ (limits::min)())};
+    }
     constexpr bool wraps = N::rules.range == overflow::wrap;
     constexpr double lowest = wraps ? -0x1p50 : double{(limits::min)()};
     constexpr double highest = wraps ? 0x1p50 : double{(limits::max)()};

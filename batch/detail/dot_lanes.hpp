@@ -18,10 +18,11 @@ struct dot_sums<std::uint64_t> {
     even += u64(mul_even(i64(x), i64(y)));
     odd += u64(mul_even(odd_lanes(x), odd_lanes(y)));
   }
-  FIXED_LANE_FUNCTION void add_to(std::uint64_t& sum) const {
-    const u64 all = even + odd;
-    for (std::size_t lane = 0; lane < width / 2; ++lane) sum += all[lane];
+  FIXED_LANE_FUNCTION void add(const dot_sums& other) {
+    even += other.even;
+    odd += other.odd;
   }
+  FIXED_LANE_FUNCTION void add_to(std::uint64_t& sum) const { sum += sum_of(even + odd); }
 };
 
 /// Exact sums of up to 2^30 products. Adds 2^63 to each product, so that it is not negative, and
@@ -39,6 +40,11 @@ struct dot_sums<wide_sum> {
     low += (even & 0xffffffff) + (odd & 0xffffffff);
     high += (even >> 32) + (odd >> 32);
     ++blocks;
+  }
+  FIXED_LANE_FUNCTION void add(const dot_sums& other) {
+    low += other.low;
+    high += other.high;
+    blocks += other.blocks;
   }
   FIXED_LANE_FUNCTION void add_to(wide_sum& sum) const {
     const std::uint64_t added_to_each = blocks * 2 << 31;

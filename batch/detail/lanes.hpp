@@ -47,6 +47,7 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 // doubles(x)            converts to double
 // bits(x)               the sign bits, one per lane
 // any_bit(x)            whether a bit is set
+// sum_of(x)             the sum of the lanes, modulo 2^64
 // zero_bits(x)          one bit per lane, set if the lane is zero
 // bits_at_least(a, b)   one bit per lane, set if a >= b
 // bits_below(a, b)      one bit per lane, set if a < b
@@ -56,6 +57,8 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 // integers(x)           converts to integers, to the nearest or truncated (has_nearest_floats)
 // has_nearest_floats    whether floats(), root() of floats and integers() round to nearest, ties to
 //                       even, in every rounding mode of the processor
+// half_up_words(x, s)   floor(x s + 1/2), and the least word if that is out of range or NaN, in
+//                       every rounding mode (has_half_up_words)
 // whole<by_floor>(x)    floor(x) or trunc(x) for |x| < 2^51, modulo 2^32 in the lower halves, in
 //                       every rounding mode
 // store_past(to, x)     stores x past the caches, at a multiple of the register size, if there is
@@ -120,6 +123,11 @@ FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) { return _mm256_movepi32_mask
 FIXED_LANE_FUNCTION bool any_bit(u64 x) {
   return _mm512_test_epi64_mask(__m512i(x), __m512i(x)) != 0;
 }
+FIXED_LANE_FUNCTION std::uint64_t sum_of(u64 x) {
+  x += __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
+  x += __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
+  return x[0] + x[1];
+}
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(i32 x) {
   return _mm512_testn_epi32_mask(__m512i(x), __m512i(x));
 }
@@ -158,6 +166,12 @@ FIXED_LANE_FUNCTION f32 root(f32 x) {
 FIXED_LANE_FUNCTION i32 integers(f32 x) {
   return i32(
       _mm512_maskz_cvt_roundps_epi32(0xffff, x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+}
+inline constexpr bool has_half_up_words = true;
+FIXED_LANE_FUNCTION half_i32 half_up_words(f64 x, double scale) {
+  constexpr int down = _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC;
+  const f64 sum = _mm512_maskz_fmadd_round_pd(0xff, x, f64{} + scale, f64{} + 0.5, down);
+  return half_i32(_mm512_maskz_cvt_roundpd_epi32(0xff, sum, down));
 }
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
@@ -213,6 +227,7 @@ FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) {
   return static_cast<std::uint32_t>(_mm_movemask_ps(__m128(x)));
 }
 FIXED_LANE_FUNCTION bool any_bit(u64 x) { return _mm256_testz_si256(__m256i(x), __m256i(x)) == 0; }
+FIXED_LANE_FUNCTION std::uint64_t sum_of(u64 x) { return (x[0] + x[2]) + (x[1] + x[3]); }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(half_i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t bits_at_least(f64 a, f64 b) {
@@ -234,6 +249,8 @@ FIXED_LANE_FUNCTION void store_past(void* to, i32 x) {
   _mm256_stream_si256(static_cast<__m256i*>(to), __m256i(x));
 }
 FIXED_LANE_FUNCTION void wait_for_stores() { _mm_sfence(); }
+inline constexpr bool has_half_up_words = false;
+FIXED_LANE_FUNCTION half_i32 half_up_words(f64 /*x*/, double /*scale*/) { return half_i32{}; }
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
   constexpr int mode = by_floor ? _MM_FROUND_TO_NEG_INF : _MM_FROUND_TO_ZERO;
@@ -279,6 +296,7 @@ FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) {
 }
 FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) { return bits(join(x, half_i32{})); }
 FIXED_LANE_FUNCTION bool any_bit(u64 x) { return vmaxvq_u32(uint32x4_t(x)) != 0; }
+FIXED_LANE_FUNCTION std::uint64_t sum_of(u64 x) { return x[0] + x[1]; }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(half_i32 x) { return bits(x == 0); }
 FIXED_LANE_FUNCTION std::uint32_t bits_at_least(f64 a, f64 b) {
@@ -298,6 +316,8 @@ FIXED_LANE_FUNCTION i32 integers(f32 x) { return __builtin_convertvector(x, i32)
 inline constexpr bool can_store_past = false;
 FIXED_LANE_FUNCTION void store_past(void* to, i32 x) { __builtin_memcpy(to, &x, sizeof x); }
 FIXED_LANE_FUNCTION void wait_for_stores() {}
+inline constexpr bool has_half_up_words = false;
+FIXED_LANE_FUNCTION half_i32 half_up_words(f64 /*x*/, double /*scale*/) { return half_i32{}; }
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
   return i64(by_floor ? vcvtmq_s64_f64(float64x2_t(x)) : vcvtq_s64_f64(float64x2_t(x)));

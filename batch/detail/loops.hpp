@@ -81,8 +81,8 @@ struct loops {
         i = count;
       }
     }
+    first.add(second);
     first.add_to(sum);
-    second.add_to(sum);
     return i;
   }
 
@@ -140,38 +140,16 @@ struct loops {
   template <class Raw, int F>
   FIXED_LANE_LOOP static std::size_t sines(const void* angles, void* results, std::size_t count,
                                            std::uint64_t ahead) {
-    std::size_t i = 0;
-    for (; count - i >= width; i += width) {
-      const i32 raw = load<Raw>(angles, i);
-      bool doubtful = false;
-      i32 result = sines_of<F>(turns_of<F>(raw, ahead), doubtful);
-      if (doubtful) [[unlikely]] {
-        result = nearest_sines<F>(raw, ahead);
-      }
-      store<Raw>(results, i, result);
-    }
-    return i;
+    fault_recorder none({});
+    return each_block(sine_blocks<Raw, F>{angles, results, ahead}, count, none);
   }
 
   /// The same for cosines and sines.
   template <class Raw, int F>
   FIXED_LANE_LOOP static std::size_t sines_and_cosines(const void* angles, void* cosines,
                                                        void* sines, std::size_t count) {
-    std::size_t i = 0;
-    for (; count - i >= width; i += width) {
-      const i32 raw = load<Raw>(angles, i);
-      const turn_lanes turns = turns_of<F>(raw, 0);
-      bool doubtful = false;
-      i32 sine = sines_of<F>(turns, doubtful);
-      i32 cosine = sines_of<F>({turns.even + quarter_turn, turns.odd + quarter_turn}, doubtful);
-      if (doubtful) [[unlikely]] {
-        sine = nearest_sines<F>(raw, 0);
-        cosine = nearest_sines<F>(raw, quarter_turn);
-      }
-      store<Raw>(sines, i, sine);
-      store<Raw>(cosines, i, cosine);
-    }
-    return i;
+    fault_recorder none({});
+    return each_block(sine_cosine_blocks<Raw, F>{angles, {cosines, sines}}, count, none);
   }
 };
 

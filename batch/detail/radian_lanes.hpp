@@ -37,9 +37,9 @@ FIXED_LANE_FUNCTION u64 fast_cosine_of(u64 d) {
   return c[0] - mul_even(z, factor);
 }
 
-/// Returns the sines of a block. Sets `doubtful` if one of them may be wrong.
+/// Returns the sines of a block. Sets the bits of `doubtful` for lanes that may be wrong.
 template <int F>
-FIXED_LANE_FUNCTION i32 sines_of(const turn_lanes& turns, bool& doubtful) {
+FIXED_LANE_FUNCTION i32 sines_of(const turn_lanes& turns, std::uint32_t& doubtful) {
   using rounding = fast_rounding<F>;
   const i32 sign = interleaved(turns.even >> 32, turns.odd) >> 31;
   const u64 even = fast_cosine_of((turns.even - quarter_turn) >> 31) + rounding::bias;
@@ -47,7 +47,7 @@ FIXED_LANE_FUNCTION i32 sines_of(const turn_lanes& turns, bool& doubtful) {
   // The bits of fast_rounding::doubtful, shifted into the lower 32.
   constexpr int unneeded = 34;
   constexpr auto mask = static_cast<std::int32_t>(rounding::doubtful >> unneeded);
-  doubtful |= zero_bits(interleaved(even >> unneeded, odd >> (unneeded - 32)) & mask) != 0;
+  doubtful |= zero_bits(interleaved(even >> unneeded, odd >> (unneeded - 32)) & mask);
   const i32 magnitude = interleaved(even >> rounding::dropped, odd >> (rounding::dropped - 32));
   return (magnitude ^ sign) - sign;
 }
@@ -60,6 +60,78 @@ FIXED_LANE_TARGET __attribute__((noinline)) i32 nearest_sines(i32 raw, std::uint
   }
   return raw;
 }
+
+template <class Raw>
+struct sine_results : no_faults {
+  i32 values;
+
+  explicit FIXED_LANE_FUNCTION sine_results(i32 x) : values(x) {}
+  template <class Part>
+  FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
+    FIXED_LANES::store<Raw>(out, i, values, part);
+  }
+};
+
+template <class Raw, int F>
+struct sine_blocks {
+  static constexpr std::size_t size = width;
+  static constexpr bool checks_later = false;
+  const void* angles;
+  void* out;
+  std::uint64_t ahead;
+
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION sine_results<Raw> at(std::size_t i, Part part) const {
+    const i32 raw = load<Raw>(angles, i, part);
+    std::uint32_t doubtful = 0;
+    i32 values = sines_of<F>(turns_of<F>(raw, ahead), doubtful);
+    if ((doubtful & part.bits) != 0) [[unlikely]] {
+      values = nearest_sines<F>(raw, ahead);
+    }
+    return sine_results<Raw>(values);
+  }
+};
+
+/// Where cosines and sines go.
+struct cosines_and_sines {
+  void* cosines;
+  void* sines;
+};
+
+template <class Raw>
+struct sine_cosine_results : no_faults {
+  i32 cosines;
+  i32 sines;
+
+  FIXED_LANE_FUNCTION sine_cosine_results(i32 c, i32 s) : cosines(c), sines(s) {}
+  template <class Part>
+  FIXED_LANE_FUNCTION void store(const cosines_and_sines& out, std::size_t i, Part part) const {
+    FIXED_LANES::store<Raw>(out.sines, i, sines, part);
+    FIXED_LANES::store<Raw>(out.cosines, i, cosines, part);
+  }
+};
+
+template <class Raw, int F>
+struct sine_cosine_blocks {
+  static constexpr std::size_t size = width;
+  static constexpr bool checks_later = false;
+  const void* angles;
+  cosines_and_sines out;
+
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION sine_cosine_results<Raw> at(std::size_t i, Part part) const {
+    const i32 raw = load<Raw>(angles, i, part);
+    const turn_lanes turns = turns_of<F>(raw, 0);
+    std::uint32_t doubtful = 0;
+    i32 sines = sines_of<F>(turns, doubtful);
+    i32 cosines = sines_of<F>({turns.even + quarter_turn, turns.odd + quarter_turn}, doubtful);
+    if ((doubtful & part.bits) != 0) [[unlikely]] {
+      sines = nearest_sines<F>(raw, 0);
+      cosines = nearest_sines<F>(raw, quarter_turn);
+    }
+    return {cosines, sines};
+  }
+};
 
 }  // namespace fixproof::detail::FIXED_LANES
 #endif

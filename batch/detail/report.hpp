@@ -11,6 +11,7 @@
 #include <string>
 
 #include "batch/detail/element.hpp"
+#include "batch/detail/inlining.hpp"
 #include "fixed/detail/raise.hpp"
 #include "fixed/error.hpp"
 #include "fixed/policy.hpp"
@@ -94,7 +95,7 @@ class fault_recorder {
 
  private:
   template <overflow O, divide_fault Fault>
-  [[nodiscard]] batch::report finish_with_faults(const char* operation) const {
+  [[nodiscard]] FIXED_NOINLINE batch::report finish_with_faults(const char* operation) const {
     const fault_count& divides = of(fault::divide_error);
     const fault_count& ranges = of(fault::overflow);
     const fault_count& domains = of(fault::domain_error);

@@ -78,6 +78,18 @@ inline constexpr overflow sums_and_products = N::rules.range == overflow::wrap
 #endif
 #endif
 
+// What the flags of the compiler promise is not asked for at run time.
+#if defined(__AVX2__)
+#define FIXED_SURE_OF_AVX2 true
+#else
+#define FIXED_SURE_OF_AVX2 false
+#endif
+#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define FIXED_SURE_OF_AVX512 true
+#else
+#define FIXED_SURE_OF_AVX512 false
+#endif
+
 #if defined(FIXED_BATCH_X86)
 #include <immintrin.h>
 
@@ -115,8 +127,9 @@ inline bool has(path which) noexcept {
 #endif
 #if defined(FIXED_BATCH_X86)
     case path::avx2:
-      return static_cast<bool>(__builtin_cpu_supports("avx2"));
+      return FIXED_SURE_OF_AVX2 || static_cast<bool>(__builtin_cpu_supports("avx2"));
     case path::avx512:
+      if (FIXED_SURE_OF_AVX512) return true;
       return static_cast<bool>(__builtin_cpu_supports("avx512f")) &&
              static_cast<bool>(__builtin_cpu_supports("avx512bw")) &&
              static_cast<bool>(__builtin_cpu_supports("avx512dq")) &&
@@ -131,6 +144,7 @@ inline bool has(path which) noexcept {
 
 /// Returns the fastest path that this program can take.
 inline path best() noexcept {
+  if (FIXED_SURE_OF_AVX512) return path::avx512;
   static const path found = has(path::avx512) ? path::avx512
                             : has(path::avx2) ? path::avx2
                             : has(path::neon) ? path::neon
@@ -139,6 +153,9 @@ inline path best() noexcept {
 }
 
 }  // namespace fixproof::batch
+
+#undef FIXED_SURE_OF_AVX2
+#undef FIXED_SURE_OF_AVX512
 
 namespace fixproof::detail {
 

@@ -54,6 +54,25 @@ FIXED_LANE_FUNCTION i32 component(i32 first, i32 second, i32 third) {
                  lanes(to_vertices<c>));
 }
 
+FIXED_LANE_FUNCTION block_of_vertices vertices_of(i32 first, i32 second, i32 third) {
+  return {component<0>(first, second, third), component<1>(first, second, third),
+          component<2>(first, second, third)};
+}
+
+/// x y z x y z ... in three registers.
+struct registers_of_vertices {
+  i32 first, second, third;
+};
+
+FIXED_LANE_FUNCTION registers_of_vertices registers_of(const block_of_vertices& v) {
+  const i32 x = permute(v.x, lanes(from_vertices<0>));
+  const i32 y = permute(v.y, lanes(from_vertices<1>));
+  const i32 z = permute(v.z, lanes(from_vertices<2>));
+  return {blend<lanes_of(2, 0)>(blend<lanes_of(1, 0)>(x, y), z),
+          blend<lanes_of(2, 1)>(blend<lanes_of(1, 1)>(x, y), z),
+          blend<lanes_of(2, 2)>(blend<lanes_of(1, 2)>(x, y), z)};
+}
+
 // Addresses are numbers here: a prefetch may lie beyond the end of an array.
 // NOLINTBEGIN(*-reinterpret-cast,performance-no-int-to-ptr)
 
@@ -87,20 +106,46 @@ FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* base, std::size_
   const i32 first = load<Raw>(base, 3 * index);
   const i32 second = load<Raw>(base, 3 * index + width);
   const i32 third = load<Raw>(base, 3 * index + 2 * width);
-  return {component<0>(first, second, third), component<1>(first, second, third),
-          component<2>(first, second, third)};
+  return vertices_of(first, second, third);
 }
 
 template <class Raw, stores how>
 FIXED_LANE_FUNCTION void store_vertices(void* base, std::size_t index, const block_of_vertices& v) {
-  const i32 x = permute(v.x, lanes(from_vertices<0>));
-  const i32 y = permute(v.y, lanes(from_vertices<1>));
-  const i32 z = permute(v.z, lanes(from_vertices<2>));
-  store<Raw, how>(base, 3 * index, blend<lanes_of(2, 0)>(blend<lanes_of(1, 0)>(x, y), z));
-  store<Raw, how>(base, 3 * index + width, blend<lanes_of(2, 1)>(blend<lanes_of(1, 1)>(x, y), z));
-  store<Raw, how>(base, 3 * index + 2 * width,
-                  blend<lanes_of(2, 2)>(blend<lanes_of(1, 2)>(x, y), z));
+  const registers_of_vertices r = registers_of(v);
+  store<Raw, how>(base, 3 * index, r.first);
+  store<Raw, how>(base, 3 * index + width, r.second);
+  store<Raw, how>(base, 3 * index + 2 * width, r.third);
 }
+
+#if FIXED_LANE_BYTES == 64
+
+/// The part of register `i` of three that holds some vertices.
+FIXED_LANE_FUNCTION first_elements part_of(first_elements vertices, std::size_t i) {
+  // Three bits for each vertex.
+  const std::uint64_t all = vertices.bits;
+  const auto count = 3 * static_cast<std::size_t>(__builtin_popcountll(all));
+  return first_elements((std::min)(width, count - (std::min)(count, width * i)));
+}
+
+template <class Raw>
+FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* base, std::size_t index,
+                                                    first_elements some) {
+  const i32 first = load<Raw>(base, 3 * index, part_of(some, 0));
+  const i32 second = load<Raw>(base, 3 * index + width, part_of(some, 1));
+  const i32 third = load<Raw>(base, 3 * index + 2 * width, part_of(some, 2));
+  return vertices_of(first, second, third);
+}
+
+template <class Raw>
+FIXED_LANE_FUNCTION void store_vertices(void* base, std::size_t index, const block_of_vertices& v,
+                                        first_elements some) {
+  const registers_of_vertices r = registers_of(v);
+  store<Raw>(base, 3 * index, r.first, part_of(some, 0));
+  store<Raw>(base, 3 * index + width, r.second, part_of(some, 1));
+  store<Raw>(base, 3 * index + 2 * width, r.third, part_of(some, 2));
+}
+
+#endif
 
 template <class Raw>
 FIXED_LANE_FUNCTION void store_points(void* base, std::size_t index, i32 x, i32 y) {
@@ -163,6 +208,14 @@ struct interleaved_vertices {
   FIXED_LANE_FUNCTION void store(std::size_t i, const block_of_vertices& v) const {
     store_vertices<Raw, how>(out, i, v);
   }
+  [[nodiscard]] FIXED_LANE_FUNCTION block_of_vertices load_some(std::size_t i,
+                                                                first_elements some) const {
+    return load_vertices<Raw>(in, i, some);
+  }
+  FIXED_LANE_FUNCTION void store_some(std::size_t i, const block_of_vertices& v,
+                                      first_elements some) const {
+    store_vertices<Raw>(out, i, v, some);
+  }
   [[nodiscard]] bool in_place() const { return in == out; }
   /// Whether the results from vertex i on are aligned to the register size.
   [[nodiscard]] bool is_aligned(std::size_t i) const {
@@ -186,6 +239,18 @@ struct vertex_columns {
     store<Raw, how>(out[0], i, v.x);
     store<Raw, how>(out[1], i, v.y);
     store<Raw, how>(out[2], i, v.z);
+  }
+  [[nodiscard]] FIXED_LANE_FUNCTION block_of_vertices load_some(std::size_t i,
+                                                                first_elements some) const {
+    using FIXED_LANES::load;
+    return {load<Raw>(in[0], i, some), load<Raw>(in[1], i, some), load<Raw>(in[2], i, some)};
+  }
+  FIXED_LANE_FUNCTION void store_some(std::size_t i, const block_of_vertices& v,
+                                      first_elements some) const {
+    using FIXED_LANES::store;
+    store<Raw>(out[0], i, v.x, some);
+    store<Raw>(out[1], i, v.y, some);
+    store<Raw>(out[2], i, v.z, some);
   }
   [[nodiscard]] bool in_place() const {
     return std::any_of(out.begin(), out.end(), [this](const void* to) {
@@ -214,19 +279,22 @@ FIXED_LANE_FUNCTION void transform_block(const broadcast_transform& t, const Pla
 /// keeps other data cached, and saves reading cache lines only to overwrite them.
 inline constexpr std::size_t past_caches_from = std::size_t{8} << 20;
 
-/// Transforms all whole blocks. \return the number of vertices done
+/// Transforms all whole blocks, and the vertices after them if there are masks. Always inlined, so
+/// that the pointers of `places` stay in registers: a copy of pointers that were stored one by one
+/// would wait for those stores.
+/// \return the number of vertices done
 template <class N, class Places>
-FIXED_LANE_TARGET std::size_t transform_blocks(const raw_transform<typename N::raw_type>& by,
-                                               const Places& places, std::size_t count,
-                                               fault_recorder& found) {
+FIXED_LANE_FUNCTION std::size_t transform_blocks(const raw_transform<typename N::raw_type>& by,
+                                                 const Places& places, std::size_t count,
+                                                 fault_recorder& found) {
   constexpr std::uint32_t all = ~0U;
   const broadcast_transform t = broadcast<typename N::raw_type>(by);
   std::size_t i = 0;
   if constexpr (may_store_past<typename N::raw_type>) {
-    std::size_t first = 0;
-    while (first < width && !places.is_aligned(first)) ++first;
     const bool many = count >= past_caches_from / (3 * sizeof(N));
-    if (many && first < width && !places.in_place()) {
+    std::size_t first = many ? 0 : width;
+    while (first < width && !places.is_aligned(first)) ++first;
+    if (first < width && !places.in_place()) {
       // The first block overlaps the second. Both compute the same values there.
       transform_block<N, stores::cached>(t, places, 0, (1U << first) - 1, found);
       for (i = first; count - i >= width; i += width) {
@@ -238,6 +306,15 @@ FIXED_LANE_TARGET std::size_t transform_blocks(const raw_transform<typename N::r
   }
   for (; count - i >= width; i += width) {
     transform_block<N, stores::cached>(t, places, i, all, found);
+  }
+  if constexpr (has_masks) {
+    if (i < count) {
+      const first_elements rest(count - i);
+      i32 bad{};
+      places.store_some(i, transformed_block<N>(t, places.load_some(i, rest), bad), rest);
+      note_overflows<sums_and_products<N>>(bad, i, found, rest.bits);
+      i = count;
+    }
   }
   return i;
 }

@@ -1,0 +1,157 @@
+/// \file
+/// Our side: the number type one by one, and batches.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "batch/batch.hpp"
+#include "batch/conversions.hpp"
+#include "batch/radian.hpp"
+#include "bench/fair/columns.hpp"
+#include "fixed/fixed.hpp"
+
+namespace fair {
+
+using fixproof::q16_16;
+using fixproof::q16_16_saturating;
+namespace batch = fixproof::batch;
+
+/// Functions take numbers by reference: g++ 12 does not vectorise a loop that copies them first.
+template <class In, class Out = In>
+struct Type {
+  using in = In;
+  using out = Out;
+  static constexpr const char* name = "type";
+};
+template <class In, class Out = In>
+struct Batch {
+  using in = In;
+  using out = Out;
+  static constexpr const char* name = "batch";
+};
+
+template <class N>
+struct TypeMultiply : Type<N> {
+  static N of(const N& a, const N& b) { return a * b; }
+};
+struct TypeDivide : Type<q16_16> {
+  static q16_16 of(const q16_16& a, const q16_16& b) { return a / b; }
+};
+struct TypeRoot : Type<q16_16> {
+  static q16_16 of(const q16_16& a, const q16_16& /*b*/ = {}) { return fixproof::sqrt(a); }
+};
+struct TypeSine : Type<q16_16> {
+  static q16_16 of(const q16_16& a, const q16_16& /*b*/ = {}) { return fixproof::sin(a); }
+};
+struct TypeSineCosine : Type<q16_16> {
+  static std::array<q16_16, 2> of(const q16_16& a) {
+    const auto both = fixproof::sin_cos(a);
+    return {both.cos, both.sin};
+  }
+};
+struct TypeFromDouble : Type<double, q16_16> {
+  static q16_16 of(double a) { return q16_16(a); }
+};
+struct TypeToDouble : Type<q16_16, double> {
+  static double of(const q16_16& a) { return static_cast<double>(a); }
+};
+struct TypeThereAndBack : Type<q16_16> {
+  static q16_16 of(const q16_16& a, const q16_16& /*b*/) { return q16_16(static_cast<double>(a)); }
+};
+struct TypeDot : Type<q16_16> {
+  static void run(const View<in, out>& v, std::size_t count) {
+    v.x[0] = fixproof::dot(std::span(v.a, count), std::span(v.b, count));
+  }
+};
+
+/// Coordinate k of a vertex.
+inline q16_16 moved(const std::array<std::array<q16_16, 4>, 3>& by, std::size_t k, const q16_16& x,
+                    const q16_16& y, const q16_16& z) {
+  return by[k][0] * x + by[k][1] * y + by[k][2] * z + by[k][3];
+}
+struct TypeTransform : Type<q16_16> {
+  static void run(const View<in, out>& v, std::size_t count) {
+    const auto by = v.rows;
+    const in* __restrict a = v.a;
+    const in* __restrict b = v.b;
+    const in* __restrict c = v.c;
+    out* __restrict x = v.x;
+    out* __restrict y = v.y;
+    out* __restrict z = v.z;
+    for (std::size_t i = 0; i < count; ++i) {
+      x[i] = moved(by, 0, a[i], b[i], c[i]);
+      y[i] = moved(by, 1, a[i], b[i], c[i]);
+      z[i] = moved(by, 2, a[i], b[i], c[i]);
+    }
+  }
+};
+struct TypeTransformInterleaved : Type<std::array<q16_16, 3>> {
+  static void run(const View<in, out>& v, std::size_t count) {
+    const auto by = v.rows;
+    const in* __restrict from = v.a;
+    out* __restrict to = v.x;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        to[i][k] = moved(by, k, from[i][0], from[i][1], from[i][2]);
+      }
+    }
+  }
+};
+
+template <class N>
+struct BatchMultiply : Batch<N> {
+  static void run(const View<N, N>& v, std::size_t n) {
+    batch::multiply(std::span(v.a, n), std::span(v.b, n), std::span(v.x, n));
+  }
+};
+struct BatchDivide : Batch<q16_16> {
+  static void run(const View<in, out>& v, std::size_t n) {
+    batch::divide(std::span(v.a, n), std::span(v.b, n), std::span(v.x, n));
+  }
+};
+struct BatchRoot : Batch<q16_16> {
+  static void run(const View<in, out>& v, std::size_t n) {
+    batch::sqrt(std::span(v.a, n), std::span(v.x, n));
+  }
+};
+struct BatchSine : Batch<q16_16> {
+  static void run(const View<in, out>& v, std::size_t n) {
+    batch::sin(std::span(v.a, n), std::span(v.x, n));
+  }
+};
+struct BatchSineCosine : Batch<q16_16> {
+  static void run(const View<in, out>& v, std::size_t n) {
+    batch::sin_cos(std::span(v.a, n), std::span(v.x, n), std::span(v.y, n));
+  }
+};
+struct BatchFromDouble : Batch<double, q16_16> {
+  static void run(const View<in, out>& v, std::size_t n) {
+    batch::from_floats(std::span(v.a, n), std::span(v.x, n));
+  }
+};
+struct BatchToDouble : Batch<q16_16, double> {
+  static void run(const View<in, out>& v, std::size_t n) {
+    batch::to_floats(std::span(v.a, n), std::span(v.x, n));
+  }
+};
+struct BatchDot : Batch<q16_16> {
+  static void run(const View<in, out>& v, std::size_t n) {
+    v.x[0] = batch::dot(std::span(v.a, n), std::span(v.b, n));
+  }
+};
+struct BatchTransform : Batch<q16_16> {
+  static void run(const View<in, out>& v, std::size_t n) {
+    batch::transform(v.rows, std::span(v.a, n), std::span(v.b, n), std::span(v.c, n),
+                     std::span(v.x, n), std::span(v.y, n), std::span(v.z, n));
+  }
+};
+struct BatchTransformInterleaved : Batch<std::array<q16_16, 3>> {
+  static void run(const View<in, out>& v, std::size_t n) {
+    batch::transform(v.rows, std::span(v.a, n), std::span(v.x, n));
+  }
+};
+
+}  // namespace fair
