@@ -10,7 +10,9 @@
 #include "desync/compare.hpp"
 #include "desync/log_file.hpp"
 #include "desync/values.hpp"
+#include "support/file.hpp"
 #include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
 
 namespace fixproof::cli {
 
@@ -34,6 +36,11 @@ std::string frame_text(std::int64_t frame) {
   return frame == record::no_frame ? "before the first frame" : fmt::format("frame {}", frame);
 }
 
+/// Returns "1 block" or "2 blocks".
+std::string count_of(desync::word number, const char* noun) {
+  return fmt::format("{} {}{}", support::grouped(number), noun, number == 1 ? "" : "s");
+}
+
 void print_log(const char* side, const LogFile& log) {
   std::string made;
   for (const char c : log.origin()) made += c == '\n' ? ';' : c;
@@ -43,7 +50,9 @@ void print_log(const char* side, const LogFile& log) {
   if (!log.is_complete()) {
     std::cout << fmt::format(
         "   not closed: the program was killed, or it still runs{}\n",
-        log.torn_bytes() == 0 ? "" : fmt::format("; {} torn bytes at the end", log.torn_bytes()));
+        log.torn_bytes() == 0
+            ? ""
+            : fmt::format("; {} at the end", count_of(log.torn_bytes(), "torn byte")));
   }
 }
 
@@ -92,19 +101,20 @@ const char* explanation(Verdict verdict) {
       return "The numbers that enter differ: check how the programs compute or read them, and\n"
              "which options they are compiled with.";
     case Verdict::operands:
-      return "The operands differ: the states were different before, although every recorded\n"
-             "operation before this one is equal. A value came from outside: from loaded or\n"
-             "copied memory, or from an uninitialised variable.";
+      return "The operands differ, although every recorded operation before this one is equal. A\n"
+             "value came from memory that was loaded or copied, or from an uninitialised variable.";
     case Verdict::arithmetic:
       return "The results differ for the same operands: the arithmetic is not the same.";
     case Verdict::order:
-      return "The order differs: both sides apply these two operations to one value, in turn.";
+      return "The order differs: both sides apply the same two operations to a value, in a\n"
+             "different order.";
     case Verdict::type:
-      return "The number types differ: the programs are compiled with different formats or rules, or\n"
+      return "The number types differ: the programs are compiled with different formats or rules, "
+             "or\n"
              "they take different branches from here.";
     case Verdict::path:
       return "The operations differ: the programs take different branches from here. An earlier\n"
-             "comparison, branch or loop depends on something that is not recorded.";
+             "branch or loop depends on something that is not recorded.";
     default:
       return "";
   }
@@ -120,12 +130,12 @@ void print_hint(const Comparison& found, bool rollback) {
 }
 
 int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
-  const auto closing =
-      fmt::format("{} steps, {} pages read\n", found.steps, a.pages_read() + b.pages_read());
+  const auto closing = fmt::format("{}, {} read\n", count_of(found.steps, "step"),
+                                   count_of(a.pages_read() + b.pages_read(), "page"));
   if (found.verdict == Verdict::equal || found.verdict == Verdict::ended) {
-    std::cout << fmt::format("No difference in {} operations, {} common {}. {}",
-                             support::grouped(found.operations), support::grouped(found.blocks),
-                             rollback ? "frames" : "blocks", closing);
+    std::cout << fmt::format("No difference in {}, {}. {}", count_of(found.operations, "operation"),
+                             count_of(found.blocks, rollback ? "common frame" : "common block"),
+                             closing);
     if (found.verdict == Verdict::ended && !rollback && !found.a.index && !found.b.index) {
       std::cout << fmt::format(
           "{} ends in block {}, which is not compared. To compare it, record it in full with\n"
@@ -134,9 +144,9 @@ int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
           found.a.block, found.a.block + 1);
     }
     if (!rollback && a.blocks() != b.blocks()) {
-      std::cout << fmt::format("{} continues for {} more blocks.\n",
-                               a.blocks() > b.blocks() ? "A" : "B",
-                               support::grouped(std::max(a.blocks(), b.blocks()) - found.blocks));
+      std::cout << fmt::format(
+          "{} continues for {}.\n", a.blocks() > b.blocks() ? "A" : "B",
+          count_of(std::max(a.blocks(), b.blocks()) - found.blocks, "more block"));
     }
     return 0;
   }
@@ -176,13 +186,19 @@ void add_desync(CLI::App& app, int& status) {
       "compare the last simulation of every frame instead of the runs from their beginning");
   command->footer(
       R"(A program that computes with fixproof::recorded<q16_16> writes such a log (docs/recorder.md).
+The first comparison names a block of up to 1,024 records. Run both programs again with the range
+that it prints. The second comparison then shows the operation.
 Exit status: 0 if there is no difference, 1 if there is one, 2 if a log cannot be read.
 
 Examples:
-  fixproof desync mine.log theirs.log
-  FIXPROOF_RECORD_FULL=97655-97656 ./game       # on both sides, then again:
+  fixproof desync mine.log theirs.log           # names the block
+  FIXPROOF_RECORD_FULL=97655-97656 ./game       # on both machines
   fixproof desync mine.log theirs.log           # shows the operation)");
   command->callback([options, &status] {
+    if (support::same_file(options->a, options->b)) {
+      throw support::UsageError(fmt::format(
+          "{} and {} are the same file; give the logs of two runs", options->a, options->b));
+    }
     LogFile a(options->a);
     LogFile b(options->b);
     print_log("A", a);

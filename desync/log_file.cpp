@@ -51,10 +51,14 @@ std::string text_of(const std::array<word, record::page_words>& page) {
 
 LogFile::LogFile(const std::string& path) : path_(path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) fail("is not a regular file");
+  const auto type = std::filesystem::status(path, error).type();
+  if (type == std::filesystem::file_type::not_found) fail("there is no such file");
+  if (type != std::filesystem::file_type::regular) {
+    fail("this is not a regular file; desync searches in a file, and reads no folder or pipe");
+  }
   const word bytes = std::filesystem::file_size(path, error);
   file_.open(path, std::ios::binary);
-  if (error || !file_) fail("cannot be read");
+  if (error || !file_) fail("cannot be read; check its permissions");
   pages_ = bytes / record::page_bytes;
   const auto header = pages_ == 0 ? std::nullopt : try_page(0);
   if (!header || type_of((*header)[0]) != page_type::header) {

@@ -54,8 +54,8 @@ inline constinit thread_local log* current_log = nullptr;
 word taken(const word* words, std::size_t count, place from) noexcept;
 /// The same for a record of two words, which the caller then need not put into memory.
 word taken(word first, word second, place from) noexcept;
-/// Writes the double that the next record converts, if the block is recorded in full. No hash covers
-/// the double, because a difference that rounding hides is no difference of the numbers.
+/// Writes the double that the next record converts, if the block is recorded in full. No hash
+/// covers the double, because a difference that rounding hides is no difference of the numbers.
 void put_input(double x) noexcept;
 
 /// Adds a record to the hash of the block.
@@ -89,12 +89,12 @@ inline void put(const std::array<word, Count>& words, place from) noexcept {
 /// returns false, and the program continues as without a log.
 class log {
  public:
-  /// Opens a log and replaces the file at `path`. Until it is destroyed, an older log of this thread
-  /// gets no records.
+  /// Opens a log and replaces the file at `path`. Until it is destroyed, an older log of this
+  /// thread gets no records.
   explicit log(const std::string& path, const options& how = {})
       : file_(path.c_str()), full_(how.full), older_(detail::current_log) {
     page_[0] = first_word(page_type::header);
-    page_[4] = put_text(page_, origin(how.program));
+    page_[4] = put_text(page_, origin(how.program) + "recorded in full: " + full_.to_text() + '\n');
     append(page_);
     make_current(this);
     begin_block();
@@ -307,8 +307,9 @@ class log {
 
   page_file file_;
   full_range full_;
-  log* older_;     ///< The next older log of this thread, or null.
-  word hash_ = 0;  ///< What `current_hash` and `current_left` become when this log is current again.
+  log* older_;  ///< The next older log of this thread, or null.
+  word hash_ =
+      0;  ///< What `current_hash` and `current_left` become when this log is current again.
   word left_ = 0;
 
   std::array<word, page_words> page_{};  ///< The entries of finished blocks.

@@ -2,10 +2,13 @@
 /// What a program or its environment asks of a log.
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
+#include <system_error>
 
 namespace fixproof::record {
 
@@ -16,8 +19,8 @@ struct full_range {
   std::int64_t first = 0;
   std::int64_t last = -1;
 
-  /// Reads a range of blocks such as "97-98", or of frames such as "frames:12-13". Returns an empty
-  /// range for anything else.
+  /// Reads a range of blocks such as "97-98", or of frames such as "frames:12-13". Frames may be
+  /// negative: "frames:-2--1". Returns an empty range for anything else.
   [[nodiscard]] static full_range from_text(std::string_view text) noexcept {
     full_range range;
     constexpr std::string_view frames = "frames:";
@@ -25,11 +28,11 @@ struct full_range {
       range.is_of_frames = true;
       text.remove_prefix(frames.size());
     }
-    const std::size_t dash = text.find('-');
+    const std::size_t dash = text.find('-', 1);  // the first character may be a sign
     std::int64_t first = 0;
     std::int64_t last = 0;
     if (dash == std::string_view::npos || !read(text.substr(0, dash), first) ||
-        !read(text.substr(dash + 1), last)) {
+        !read(text.substr(dash + 1), last) || (first < 0 && !range.is_of_frames)) {
       return {};
     }
     range.first = first;
@@ -37,14 +40,18 @@ struct full_range {
     return range;
   }
 
+  /// Returns the range for people: "blocks 97 to 98", "frames 12 to 13" or "nothing".
+  [[nodiscard]] std::string to_text() const {
+    if (last < first) return "nothing";
+    return (is_of_frames ? "frames " : "blocks ") + std::to_string(first) + " to " +
+           std::to_string(last);
+  }
+
  private:
-  static bool read(std::string_view digits, std::int64_t& value) noexcept {
-    if (digits.empty() || digits.size() > 18) return false;
-    for (const char c : digits) {
-      if (c < '0' || c > '9') return false;
-      value = value * 10 + (c - '0');
-    }
-    return true;
+  static bool read(std::string_view text, std::int64_t& value) noexcept {
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc{} && stop == end;
   }
 };
 

@@ -2,18 +2,30 @@
 /// The interface of record/log.hpp when recording is off. Compilers leave no code of it.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace fixproof::record {
 
-/// See record/log.hpp.
-struct full_range {};
+/// See record/options.hpp. The range is always empty.
+struct full_range {
+  bool is_of_frames = false;
+  std::int64_t first = 0;
+  std::int64_t last = -1;
 
-/// See record/log.hpp.
+  [[nodiscard]] static constexpr full_range from_text(std::string_view /*text*/) noexcept {
+    return {};
+  }
+};
+
+/// See record/options.hpp. It does not read the environment.
 struct options {
-  std::string_view program;
+  std::string_view program = "unnamed";
   full_range full{};
+
+  [[nodiscard]] static constexpr full_range from_environment() noexcept { return {}; }
 };
 
 /// See record/log.hpp.
@@ -26,7 +38,8 @@ struct position {
 /// See record/log.hpp. It opens no file.
 class log {
  public:
-  explicit constexpr log(std::string_view /*path*/, const options& /*how*/ = {}) noexcept {}
+  explicit constexpr log(const std::convertible_to<std::string> auto& /*path*/,
+                         const options& /*how*/ = {}) noexcept {}
   ~log() {}  // NOLINT(*-equals-default): a log is no unused variable
   log(const log&) = delete;
   log(log&&) = delete;
@@ -34,11 +47,6 @@ class log {
   log& operator=(log&&) = delete;
 
   [[nodiscard]] static constexpr bool good() noexcept { return true; }
-  static constexpr void frame(std::int64_t /*number*/) noexcept {}
-  static constexpr void mark(std::string_view /*name*/) noexcept {}
-  static constexpr void confirm(std::int64_t /*number*/) noexcept {}
-  static constexpr void flush() noexcept {}
-  [[nodiscard]] static constexpr position where() noexcept { return {}; }
 };
 
 constexpr void frame(std::int64_t /*number*/) noexcept {}

@@ -207,8 +207,8 @@ TEST_F(Runs, ARepeatedOperation) {
       if (i == repeated) (void)(x + x);
     }
   };
-  const auto [one, other] =
-      compare_short(a(), b(), [&] { run(-1); }, [&] { run(12); });
+  const auto [one, other] = compare_short(
+      a(), b(), [&] { run(-1); }, [&] { run(12); });
   for (const Comparison& found : {one, other}) {
     EXPECT_EQ(found.verdict, Verdict::operands);
     expect_at(found, 13);
@@ -227,7 +227,8 @@ TEST_F(Runs, AnotherType) {
 TEST_F(Runs, ANumberThatEnters) {
   using recorder_test::real;
   const auto is_input = [&](const auto& f) {
-    const auto [one, other] = compare_short(a(), b(), [&] { f(1); }, [&] { f(2); });
+    const auto [one, other] = compare_short(
+        a(), b(), [&] { f(1); }, [&] { f(2); });
     return one.verdict == Verdict::input && other.verdict == Verdict::input;
   };
   EXPECT_TRUE(is_input([](int x) { (void)real::from_raw(x); }));

@@ -9,7 +9,9 @@
 #include <string>
 #include <thread>
 
+#define FIXPROOF_RECORD 1
 #include "desync/compare.hpp"
+#include "tests/record/either.hpp"
 #include "tests/record/sim.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -209,6 +211,52 @@ TEST_F(Log, KeepsTheBytesOfNames) {
   LogFile log(path("names.log"));
   EXPECT_TRUE(log.origin().starts_with("program: " + umlaut + '\n')) << log.origin();
   EXPECT_EQ(log.name(1), other);
+}
+
+TEST_F(Log, RecordsAProgramThatAlsoCompilesWithoutRecording) {
+  EXPECT_EQ(recorder_test::run_either(path("on.log")), q16_16(6.5).raw());
+  EXPECT_TRUE(std::filesystem::exists(path("on.log")));
+}
+
+TEST_F(Log, SaysWhatIsRecordedInFull) {
+  struct Case {
+    const char* range;
+    const char* text;
+  };
+  for (const auto& [range, text] : {Case{"97-98", "blocks 97 to 98"},
+                                    {"frames:12-13", "frames 12 to 13"},
+                                    {"frames:-2--1", "frames -2 to -1"},
+                                    {"frames:-9223372036854775807-9223372036854775807",
+                                     "frames -9223372036854775807 to 9223372036854775807"},
+                                    {"98-97", "nothing"},
+                                    {"-1-5", "nothing"},
+                                    {"97", "nothing"},
+                                    {"97-", "nothing"},
+                                    {"97-98 ", "nothing"},
+                                    {"", "nothing"},
+                                    {"frames:", "nothing"},
+                                    {"0-9223372036854775808", "nothing"}}) {
+    { const record::log log(path("full.log"), {.full = record::full_range::from_text(range)}); }
+    EXPECT_TRUE(LogFile(path("full.log"))
+                    .origin()
+                    .ends_with("\nrecorded in full: " + std::string(text) + '\n'))
+        << range;
+  }
+}
+
+TEST_F(Log, RecordsNegativeFramesInFull) {
+  {
+    const record::log log(path("frames.log"),
+                          {.full = record::full_range::from_text("frames:-1--1")});
+    for (const int frame : {-2, -1, 0}) {
+      record::frame(frame);
+      add(3);
+    }
+  }
+  LogFile log(path("frames.log"));
+  EXPECT_TRUE(log.records(0).empty());
+  EXPECT_EQ(log.records(1).size(), 4U);
+  EXPECT_TRUE(log.records(2).empty());
 }
 
 TEST_F(Log, OfAFullDiskDoesNotStopTheProgram) {

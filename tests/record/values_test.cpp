@@ -1,4 +1,6 @@
 // What desync shows of a record: every operand that the program passed, and the result.
+#include "desync/values.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -6,7 +8,6 @@
 #include <vector>
 
 #include "desync/log_file.hpp"
-#include "desync/values.hpp"
 #include "tests/record/sim.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -47,8 +48,8 @@ TEST(Values, OfTwoOperands) {
     (void)(a % b);
   });
   const std::vector<std::string> expected{
-      "add<To>" + operands + "5 (00050000)",      "subtract<To>" + operands + "1 (00010000)",
-      "multiply<To>" + operands + "6 (00060000)", "divide<To>" + operands + "1.5 (00018000)",
+      "add<To>" + operands + "5 (00050000)",        "subtract<To>" + operands + "1 (00010000)",
+      "multiply<To>" + operands + "6 (00060000)",   "divide<To>" + operands + "1.5 (00018000)",
       "saturating_add" + operands + "5 (00050000)", "fmod" + operands + "1 (00010000)",
       "a % b" + operands + "1 (00010000)"};
   EXPECT_EQ(texts, expected);
