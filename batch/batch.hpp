@@ -259,23 +259,26 @@ sqrt(const X& x, Out&& out, const options& how = {}) noexcept(detail::element_t<
 /// fixproof::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum
 /// can be out of range; the policy decides the result. Throws as fixproof::dot does.
 template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
-detail::element_t<A> dot(const A& a, const B& b,
-                         path use = best()) noexcept(detail::element_t<A>::multiply_never_throws) {
+FIXED_ALWAYS_INLINE detail::element_t<A> dot(const A& a, const B& b, path use = best()) noexcept(
+    detail::element_t<A>::multiply_never_throws) {
   using N = detail::element_t<A>;
   if constexpr (!detail::has_lanes<N> ||
                 !detail::has_wide_sum<typename N::raw_type, N::fraction_bits>) {
     return fixproof::dot(a, b);
   } else {
     constexpr std::size_t at_once = std::size_t{1} << 30;  // the capacity of loops::dot()
+    constexpr std::size_t few = 8;                         // that are faster one by one
     const N* const x = std::data(a);
     const N* const y = std::data(b);
     const std::size_t count = detail::shortest(a, b);
     std::conditional_t<detail::rounds_modulo<N>, std::uint64_t, detail::wide_sum> sum{};
     for (std::size_t done = 0; done < count;) {
       const std::size_t end = done + (std::min)(count - done, at_once);
-      done += detail::on_path<true>(use, [&](auto on) {
-        return on.template dot<typename N::raw_type>(x + done, y + done, end - done, sum);
-      });
+      if (count > few) {
+        done += detail::on_path<true>(use, [&](auto on) {
+          return on.template dot<typename N::raw_type>(x + done, y + done, end - done, sum);
+        });
+      }
       for (; done < end; ++done) {
         const std::int64_t product = std::int64_t{x[done].raw()} * y[done].raw();
         if constexpr (detail::rounds_modulo<N>) {

@@ -23,14 +23,20 @@ constexpr void check_radians() noexcept {
                 "radians need 16.16 or 8.8: convert the angles to fixproof::q16_16");
 }
 
+/// Up to this many angles are faster one by one.
+inline constexpr std::size_t few_angles = 2;
+
 /// The sines of `count` angles, each advanced by `ahead` / 2^64 turns.
 template <class N>
 void sines(batch::path use, const N* from, N* to, std::size_t count, std::uint64_t ahead) noexcept {
   check_radians<N>();
   constexpr int F = N::fraction_bits;
-  std::size_t i = on_path<has_radians<typename N::raw_type, F>>(use, [&](auto on) {
-    return on.template sines<typename N::raw_type, F>(from, to, count, ahead);
-  });
+  std::size_t i = 0;
+  if (count > few_angles) {
+    i = on_path<has_radians<typename N::raw_type, F>>(use, [&](auto on) {
+      return on.template sines<typename N::raw_type, F>(from, to, count, ahead);
+    });
+  }
   for (; i < count; ++i) {
     to[i] = N::from_raw(static_cast<typename N::raw_type>(nearest_sine<F>(from[i].raw(), ahead)));
   }
@@ -72,9 +78,12 @@ void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = 
   N* const to_cos = std::data(cosines);
   N* const to_sin = std::data(sines);
   const std::size_t count = detail::shortest(angles, cosines, sines);
-  std::size_t i = detail::on_path<true>(use, [&](auto on) {
-    return on.template sines_and_cosines<raw, F>(from, to_cos, to_sin, count);
-  });
+  std::size_t i = 0;
+  if (count > detail::few_angles) {
+    i = detail::on_path<true>(use, [&](auto on) {
+      return on.template sines_and_cosines<raw, F>(from, to_cos, to_sin, count);
+    });
+  }
   for (; i < count; ++i) {
     const std::int32_t angle = from[i].raw();
     using detail::nearest_sine;
