@@ -110,14 +110,21 @@ FIXPROOF_RECORDED_1(acos, acos)
 /// \{
 
 /// As those of plain numbers.
-template <class N>
-[[nodiscard]] constexpr cos_sin<recorded_number<N>> sin_cos(
-    recorded_number<N> angle,
-    record::place from = FIXPROOF_HERE) noexcept(noexcept(fixproof::sin_cos(N()))) {
-  const cos_sin<N> result = record::detail::logged<record::kind::sin_cos, N>(
-      from, [](N x) { return fixproof::sin_cos(x); }, angle.value_);
-  return {result.cos, result.sin};
-}
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): defines functions
+#define FIXPROOF_RECORDED_COS_SIN(name)                                             \
+  template <class N>                                                                \
+  [[nodiscard]] constexpr cos_sin<recorded_number<N>> name(                         \
+      recorded_number<N> angle,                                                     \
+      record::place from = FIXPROOF_HERE) noexcept(noexcept(fixproof::name(N()))) { \
+    const cos_sin<N> result = record::detail::logged<record::kind::name, N>(        \
+        from, [](N x) { return fixproof::name(x); }, angle.value_);                 \
+    return {result.cos, result.sin};                                                \
+  }
+FIXPROOF_RECORDED_COS_SIN(sin_cos)
+FIXPROOF_RECORDED_COS_SIN(sin_cos_of_degrees)
+FIXPROOF_RECORDED_COS_SIN(sin_cos_of_turns)
+#undef FIXPROOF_RECORDED_COS_SIN
+// NOLINTEND(cppcoreguidelines-macro-usage)
 template <class N>
 requires std::is_signed_v<typename N::raw_type>
 [[nodiscard]] constexpr recorded_number<N> remquo(

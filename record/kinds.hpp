@@ -125,6 +125,8 @@ namespace fixproof::record {
   X(112, accumulator_add_product, "accumulator::add_product")           \
   X(113, accumulator_subtract_product, "accumulator::subtract_product") \
   X(114, accumulator_result, "accumulator::result")                     \
+  X(115, sin_cos_of_degrees, "sin_cos_of_degrees")                      \
+  X(116, sin_cos_of_turns, "sin_cos_of_turns")                          \
   X(123, input, "input")                                                \
   X(124, frame, "frame")                                                \
   X(125, mark, "mark")                                                  \

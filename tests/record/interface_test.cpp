@@ -359,7 +359,9 @@ TYPED_TEST(Functions, OfAtMost32Bits) {
   RECORDS(atan2(a, b));
   RECORDS(asin(a));
   RECORDS(acos(a));
-  if constexpr (TypeParam::fraction_bits != 14) RECORDS(sin_cos(a));
+  RECORDS(sin_cos(a));
+  RECORDS(sin_cos_of_degrees(a));
+  RECORDS(sin_cos_of_turns(a));
 }
 
 // The rest of the interface.
