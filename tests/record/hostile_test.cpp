@@ -26,8 +26,12 @@ using recorder_test::Plant;
 class Logs : public testing::Test {
  protected:
   void SetUp() override {
-    recorder_test::run(a(), 25000, Plant::nothing, 0, {false, 90, 91});
-    recorder_test::run(b(), 25000, Plant::operand, 23000, {false, 90, 91});
+    // The difference is in block 92. Without it, no test would read the records.
+    recorder_test::run(a(), 25000, Plant::nothing, 0, {false, 92, 93});
+    recorder_test::run(b(), 25000, Plant::operand, 23000, {false, 92, 93});
+    LogFile first(a());
+    LogFile second(b());
+    ASSERT_EQ(desync::compare(first, second).verdict, Verdict::operands);
   }
 
   std::string a() const { return folder_.path("a.log"); }
@@ -71,8 +75,7 @@ TEST_F(Logs, CutAnywhereTheyAreReadToThere) {
     EXPECT_GE(log.blocks(), last);
     last = log.blocks();
     LogFile other(b());
-    EXPECT_EQ(desync::compare(log, other).verdict,
-              log.blocks() > 90 ? Verdict::operands : Verdict::equal);
+    EXPECT_EQ(desync::compare(log, other).verdict, Verdict::equal);  // the last page is gone
   }
   EXPECT_GT(last, 60U);
 }
