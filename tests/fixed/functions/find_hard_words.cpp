@@ -44,7 +44,7 @@ void prune(std::vector<HardWord>& words, std::size_t count) {
   words.resize(count);
 }
 
-constexpr std::int64_t unknown = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t unknown_distance = std::numeric_limits<std::int64_t>::max();
 
 /// The distance of a result from a tie in units of 2^-40 ulps, by 64 bits of the C library. For the
 /// functions that do not say it: those that the type computes with exact integers, and sin and cos
@@ -59,11 +59,11 @@ std::int64_t library_distance(oracle::Function function, std::int64_t raw, N /*f
       value = std::cbrt(x);
       break;
     case Function::rsqrt:
-      if (raw <= 0) return unknown;
+      if (raw <= 0) return unknown_distance;
       value = 1 / std::sqrt(x);
       break;
     case Function::reciprocal:
-      if (raw == 0) return unknown;
+      if (raw == 0) return unknown_distance;
       value = 1 / x;
       break;
     case Function::sin:
@@ -73,7 +73,7 @@ std::int64_t library_distance(oracle::Function function, std::int64_t raw, N /*f
       value = std::cos(x);
       break;
     default:
-      return unknown;
+      return unknown_distance;
   }
   const long double ulps = std::ldexp(value, N::fraction_bits);
   return static_cast<std::int64_t>(std::ldexp(std::abs(ulps - std::floor(ulps) - 0.5L), 40));
@@ -89,12 +89,12 @@ std::vector<HardWord> nearest_of(const functions::Named<N>& f, std::size_t count
   using limits = std::numeric_limits<typename N::raw_type>;
   std::vector<HardWord> words;
   for (std::int64_t raw = limits::min() + first; raw <= limits::max(); raw += step) {
-    detail::last_distance = unknown;
+    detail::last_distance = unknown_distance;
     const N result = f.compute(N::from_raw(static_cast<typename N::raw_type>(raw)), N());
-    if (detail::last_distance == unknown) {
+    if (detail::last_distance == unknown_distance) {
       detail::last_distance = library_distance(f.function, raw, N());
     }
-    if (detail::last_distance != unknown) has_distance = true;
+    if (detail::last_distance != unknown_distance) has_distance = true;
     if (detail::last_distance >= limit) continue;
     // Limits come from results out of range, whose ties do not matter.
     if (result.raw() == limits::max() || result.raw() == limits::min()) continue;
