@@ -36,7 +36,7 @@ void each_result(batch::path use, N* out, std::size_t count,
   for (; i < count; ++i) out[i] = Function::scalar(from[i]...);
 }
 
-/// The same for ranges, of which the shortest sets the number of results.
+/// The same for ranges. The shortest one sets the number of results.
 template <class Function, class Out, class... Operands>
 void each_of(batch::path use, Out& out,
              const Operands&... from) noexcept(element_t<Out>::never_throws) {

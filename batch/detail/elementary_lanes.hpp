@@ -1,6 +1,6 @@
 /// \file
-/// Powers, logarithms and angles in double, of which batch/detail/function_lanes.hpp makes the
-/// functions; see batch/detail/lanes.hpp.
+/// Powers, logarithms and angles in double. batch/detail/function_lanes.hpp makes the functions
+/// from them; see batch/detail/lanes.hpp.
 
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {

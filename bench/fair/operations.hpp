@@ -151,8 +151,8 @@ struct Dot {
     }
     return Ulp{1} * high * 65536 + static_cast<Ulp>(low) / 65536;
   }
-  /// Sums of three products, two of which cancel each other, and whose sum is in range. Two
-  /// products of the least word are out of range of 64 bits, so it is no edge here.
+  /// Sums of three products. Two products cancel each other, so the sum is in range. The lowest
+  /// word is not among them, because the sum of two of its squares exceeds 64 bits.
   static std::vector<Words> edge_words();
 };
 
