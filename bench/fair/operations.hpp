@@ -113,7 +113,7 @@ struct FromDouble : Elementwise<FromDouble, 1> {
     return value(words, i);
   }
   static Ulp exact(const Words& words, std::size_t i, std::size_t /*k*/) {
-    return Ulp{value(words, i)} * 65536;
+    return static_cast<Ulp>(value(words, i)) * 65536;
   }
 };
 
