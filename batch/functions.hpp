@@ -1,13 +1,13 @@
 /// \file
 /// Elementary functions of many numbers, bit-identical to the scalar functions and several times as
-/// fast with AVX2, AVX-512 or NEON. Not part of batch/batch.hpp.
+/// fast with AVX2 or AVX-512. NEON registers compute them, too. Not part of batch/batch.hpp.
 ///
 ///     std::vector<fixproof::q16_16> x(1000), powers(1000);
 ///     fixproof::batch::exp(x, powers);  // powers[i] = exp(x[i])
 ///
 /// Results out of range and outside the domain are those of the scalar functions. Under
-/// overflow::trap they throw, and the elements after the one that throws are unspecified. Under
-/// every other policy nothing throws.
+/// overflow::trap a batch throws what the scalar function throws. The elements before the one that
+/// throws are written, and those after it are unspecified. Under every other policy nothing throws.
 ///
 /// Spans and paths are those of batch/batch.hpp: the shortest span sets the length, and the result
 /// may be an operand. Vector registers compute signed formats of 16 and 32 bits; all others take

@@ -1,6 +1,6 @@
 /// \file
 /// Sines and cosines of many angles in radians, bit-identical to fixed/trig.hpp and several times
-/// as fast with AVX2, AVX-512 or NEON. Not part of fixed/fixed.hpp.
+/// as fast with AVX2 or AVX-512. NEON registers compute them, too. Not part of fixed/fixed.hpp.
 ///
 /// Spans and paths are those of batch/batch.hpp.
 #pragma once

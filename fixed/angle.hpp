@@ -3,8 +3,9 @@
 /// of every format of at most 32 bits.
 ///
 /// Each result is the number nearest to the exact angle, under every policy; there are no ties. A
-/// format with fewer than three bits before the point can have results out of range. They throw an
-/// overflow_error under overflow::trap, and saturate under every other policy.
+/// signed format with fewer than three bits before the point, or an unsigned one with none, can
+/// have results out of range. They throw an overflow_error under overflow::trap, and saturate under
+/// every other policy.
 ///
 /// fixed.hpp does not include this header.
 #pragma once

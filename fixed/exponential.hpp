@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/storage.hpp"

@@ -21,8 +21,8 @@
 namespace fixproof {
 
 /// x rounded to an integer by rule R, as std::int32_t for numbers of at most 32 bits and as
-/// std::int64_t for wider ones. The highest results for 32 or 64 unsigned bits are out of range and
-/// wrap.
+/// std::int64_t for wider ones. In unsigned formats of 32 and 64 bits, results from 2^31 and 2^63
+/// on are out of range and wrap.
 ///
 ///     static_assert(to_integer<rounding::half_up>(q16_16(-1.5)) == -1);
 ///     static_assert(to_integer<rounding::half_away>(q16_16(-1.5)) == -2);

@@ -11,7 +11,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"

@@ -24,7 +24,7 @@ template <class N>
 concept has_no_fast_sine = !has_radians<typename N::raw_type, N::fraction_bits>;
 }  // namespace detail
 
-/// The result of sin_cos() and sin_cos_of_tenths().
+/// The result of sin_cos() and the functions like it.
 template <class Number>
 struct cos_sin {
   Number cos;  ///< The cosine.

@@ -180,6 +180,9 @@ FIXED_REFUSED_DOUBLE(tan_of_degrees)
 FIXED_REFUSED_DOUBLE(sin_of_turns)
 FIXED_REFUSED_DOUBLE(cos_of_turns)
 FIXED_REFUSED_DOUBLE(tan_of_turns)
+FIXED_REFUSED_DOUBLE(sin_cos)
+FIXED_REFUSED_DOUBLE(sin_cos_of_degrees)
+FIXED_REFUSED_DOUBLE(sin_cos_of_turns)
 /// \endcond
 
 }  // namespace FIXED_FUNCTIONS

@@ -19,8 +19,8 @@
 
 namespace fixproof::detail {
 
-/// sqrt(n) in units of 2^-31 after n was multiplied by 4^doublings, 2^62 <= n < 2^64. The error is
-/// below 2 units.
+/// The root of n * 4^doublings, a number from 2^62 to 2^64, in units of 2^-31. The error is below 2
+/// units. \pre n > 0
 ///
 /// The integer r nearest to the root leaves a rest |n - r^2| <= r. The next term, rest / (2r), is
 /// rounded to a unit; the one after it is below an eighth of a unit.

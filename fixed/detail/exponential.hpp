@@ -2,10 +2,10 @@
 /// Exponentials and logarithms of words of at most 32 bits, each the nearest integer of ulps.
 ///
 /// The code first computes a result in 64 bits, with a bound of its error. If the bound allows two
-/// integers, which happens about once in 2^(57 - FractionBits) operands, it computes the result
-/// again with an error below 2^-160. Formats of at most 16 fraction bits first try fewer terms. A
-/// tie is rational. Lindemann's theorem and the theorem of Gelfond and Schneider show which results
-/// are rational, and the code treats those separately.
+/// integers, which is rare, it computes the result again with an error below 2^-160. Formats of at
+/// most 16 fraction bits first try fewer terms. A tie is rational. Lindemann's theorem and the
+/// theorem of Gelfond and Schneider show which results are rational, and the code treats those
+/// separately.
 #pragma once
 
 #include <bit>

@@ -50,8 +50,8 @@ constexpr nearest_ends hyperbolic_within(std::int64_t x, const binary_exponent& 
   const auto rising = static_cast<std::int64_t>(power_of_two<Terms>(up.fraction) >> 2);
   const std::int64_t falling = falling_exponential<Terms>(x) >> (whole + 1);
   const std::int64_t value = Function == hyperbola::sine ? rising - falling : rising + falling;
-  // `rising` is off by 5, and by 17 for an error of 49 units in the exponent; `falling` by 6. With
-  // quick_power_terms each is off by 2^20 more.
+  // `rising` is off by 5, and by 9 more for an error of 49 units in the exponent; `falling` by 6.
+  // With quick_power_terms each is off by 2^20 more.
   constexpr std::int64_t error = Terms == quick_power_terms ? 2097200 : 40;
   return nearest_within(value, error, 62 - whole - fraction_bits);
 }
@@ -88,7 +88,8 @@ constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_b
   if (fraction_bits <= quick_bits) {
     const auto t = static_cast<std::uint64_t>(falling_exponential<quick_power_terms>(2 * x));
     constexpr auto whole = static_cast<std::uint64_t>(one);
-    // In units of 2^-32. Rounding the divisor down makes the quotient up to 4 units too high.
+    // In units of 2^-32. Rounding the divisor down makes the quotient up to 2 units too high; the
+    // rest is off by less than 2.
     const auto quick = static_cast<std::int64_t>(((whole - t) << 1) / ((whole + t) >> 31));
     constexpr std::int64_t quick_error = 4;
     const nearest_ends ends = nearest_within(quick, quick_error, 32 - fraction_bits);

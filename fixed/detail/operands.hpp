@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "fixed/detail/instead.hpp"
+#include "fixed/math.hpp"
 #include "fixed/number.hpp"
 
 namespace fixproof::detail {
@@ -14,18 +15,12 @@ namespace fixproof::detail {
 template <class Number>
 inline constexpr bool has_functions = bits_of<typename Number::raw_type> <= 32;
 
-template <class T>
-inline constexpr bool is_number_of_any_format = false;
-template <class Raw, int F, policy P>
-inline constexpr bool is_number_of_any_format<number<Raw, F, P>> = true;
-
 /// Whether a function of two numbers of one type would have to convert one of the operands: a
 /// number, and a number of another type or an arithmetic type.
 template <class A, class B>
 concept mixed_operands =
-    !std::same_as<A, B> &&
-    ((is_number_of_any_format<A> && (is_number_of_any_format<B> || std::is_arithmetic_v<B>)) ||
-     (is_number_of_any_format<B> && std::is_arithmetic_v<A>));
+    !std::same_as<A, B> && ((is_number<A> && (is_number<B> || std::is_arithmetic_v<B>)) ||
+                            (is_number<B> && std::is_arithmetic_v<A>));
 
 }  // namespace fixproof::detail
 

@@ -7,7 +7,6 @@
 /// of rational results are 0, 1 and, for a sine or cosine, 1/2.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "fixed/detail/choose.hpp"
@@ -32,7 +31,7 @@ constexpr std::uint64_t phase_of(std::int64_t raw, int fraction_bits) noexcept {
   } else if constexpr (Unit == angle_unit::degree) {
     const std::int64_t turn = std::int64_t{360} << fraction_bits;
     const std::int64_t in_turn = raw % turn < 0 ? raw % turn + turn : raw % turn;
-    // 360 is 8 * 45, so this is n 2^61 / 45 for n degrees, in two steps.
+    // 360 is 8 * 45, and n counts units of 2^-32 degrees: this is n 2^29 / 45, in two steps.
     const std::uint64_t n = static_cast<std::uint64_t>(in_turn) << (32 - fraction_bits);
     return (n / 45 << 29) + (n % 45 << 29) / 45;
   } else {

@@ -68,8 +68,8 @@ constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_b
 ///
 /// With a reciprocal c of the leading six bits, m c is 1 + r as in binary_logarithm(). The root is
 /// that of 1, 2 or 4, times that of 1 / c, times the binomial series of (1 + r)^(1/3). Its terms
-/// after the fourth are below 2^-35, so that a root below 2^32, as 2^31 times at most 2, is off by
-/// less than 268435456 units of 2^-61 of that 2^31.
+/// after the fourth are below 2^-35. The power of two is at most 2^31 ulps. The root is off by
+/// less than 268435456 units of 2^-61 of it, which is 1/4 ulp.
 constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
   const scaled_word x = scaled(raw, fraction_bits);
   const auto exponent = static_cast<std::uint64_t>(x.exponent + 3 * fraction_bits);
@@ -160,7 +160,13 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
     return {true, int128{highest} < ulps ? highest : static_cast<std::int64_t>(ulps)};
   }
   if (shift < -100) return {true, 0};
-  return {true, static_cast<std::int64_t>(shift_right<R>(power, static_cast<int>(-shift)))};
+  const int places = static_cast<int>(-shift);
+  // Rule floor is for magnitudes whose negatives round half up: only ties go down.
+  if constexpr (R == rounding::floor) {
+    return {true, -static_cast<std::int64_t>(shift_right<rounding::half_up>(-power, places))};
+  } else {
+    return {true, static_cast<std::int64_t>(shift_right<R>(power, places))};
+  }
 }
 
 /// The ends of x^y for y = exponent / 2^fraction_bits in units of 2^-fraction_bits.

@@ -12,27 +12,13 @@
 namespace fixproof::detail {
 
 /// floor(sqrt(n)), one bit at a time from the top, for 0 <= n < 2^48.
-constexpr std::int64_t floor_sqrt_by_bits(std::int64_t n) noexcept {
+constexpr std::int64_t floor_sqrt(std::int64_t n) noexcept {
   std::int64_t root = 0;
   for (std::int64_t bit = std::int64_t{1} << 23; bit != 0; bit >>= 1) {
     const std::int64_t next = root + bit;
     if (next * next <= n) root = next;
   }
   return root;
-}
-
-/// floor(sqrt(n)), for 0 <= n < 2^48.
-///
-/// The truncated hardware root is correct in every rounding mode: the root of a square is exact,
-/// and that of any other n is at least 1 / (2 r) >= 2^-25 below the next integer r, while the error
-/// of a double is less than 2^-28.
-constexpr std::int64_t floor_sqrt(std::int64_t n) noexcept {
-  if constexpr (hardware_double) {
-    if (!std::is_constant_evaluated()) {
-      return static_cast<std::int64_t>(sqrt(static_cast<double>(n)));
-    }
-  }
-  return floor_sqrt_by_bits(n);
 }
 
 /// The integer nearest to sqrt(n), for 0 <= n < 2^48.

@@ -4,24 +4,10 @@
 
 #include "fixed/formats.hpp"
 #include "tests/batch/functions.hpp"
-#include "tests/support/test.hpp"
+#include "tests/support/ending.hpp"
 
 namespace batch_test {
 namespace {
-
-enum class Ending { value, domain_error, overflow_error };
-
-template <class Call>
-Ending ending_of(const Call& call) {
-  try {
-    call();
-    return Ending::value;
-  } catch (const domain_error&) {
-    return Ending::domain_error;
-  } catch (const overflow_error&) {
-    return Ending::overflow_error;
-  }
-}
 
 /// The operands of a function, by what it does with them.
 template <class N>

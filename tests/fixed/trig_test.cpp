@@ -32,6 +32,8 @@ TEST(Trig, TablesAreNearest) {
   expect_table<8, 10>();
   expect_table<16, 1>();
   expect_table<16, 7>();
+  expect_table<24, 10>();
+  expect_table<30, 10>();
 }
 
 /// Reduces angles to 0 to 3600 in repeated full turns, then checks each quadrant against the table.

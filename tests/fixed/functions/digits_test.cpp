@@ -55,7 +55,7 @@ void expect_same(const words::real& word, const digits::real& digit, const Both&
 
 class Digits : public testing::Test {
  public:
-  /// From 0 to 2^(whole bits) - 1, of any length.
+  /// From 0 to 2^bits - 1, of any length.
   std::int64_t positive(int bits) {
     const int length = static_cast<int>(random_() % static_cast<unsigned>(bits)) + 1;
     return static_cast<std::int64_t>(random_() >> (64 - length));

@@ -4,30 +4,12 @@
 #include <string>
 
 #include "tests/fixed/functions/functions.hpp"
+#include "tests/support/ending.hpp"
 
 namespace {
 
 using namespace fixproof;
 using functions::Named;
-
-enum class Ending { value, domain_error, overflow_error };
-
-template <class Call>
-Ending ending_of(const Call& call, const std::string& name) {
-  const auto is_named = [&](const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
-  };
-  try {
-    call();
-    return Ending::value;
-  } catch (const domain_error& error) {
-    is_named(error);
-    return Ending::domain_error;
-  } catch (const overflow_error& error) {
-    is_named(error);
-    return Ending::overflow_error;
-  }
-}
 
 /// The functions that ended in each way.
 using Names = std::set<std::string>;

@@ -18,11 +18,13 @@ using oracle::Function;
 using oracle::Integer;
 
 /// Formats of every width, with fraction bits at both ends.
-using Formats = testing::Types<fixproof::q8_0, fixproof::q4_4, fixproof::q1_7, fixproof::u4_4,
-                               fixproof::u0_8, fixproof::q12_4, fixproof::q8_8, fixproof::q1_15,
-                               fixproof::u8_8, fixproof::u0_16, fixproof::q32_0, fixproof::q24_8,
-                               fixproof::q16_16, fixproof::q8_24, fixproof::q2_30, fixproof::q1_31,
-                               fixproof::u24_8, fixproof::u16_16, fixproof::u1_31, fixproof::u0_32>;
+using Formats =
+    testing::Types<fixproof::q8_0, fixproof::q4_4, fixproof::q1_7, fixproof::u4_4, fixproof::u0_8,
+                   fixproof::q12_4, fixproof::q8_8, fixproof::q1_15, fixproof::u8_8,
+                   fixproof::u0_16, fixproof::q32_0, fixproof::q24_8, fixproof::q16_16,
+                   fixproof::q8_24, fixproof::q2_30, fixproof::q1_31, fixproof::u24_8,
+                   fixproof::u16_16, fixproof::u1_31, fixproof::u0_32,
+                   fixproof::number<std::int16_t, 16>, fixproof::number<std::int32_t, 32>>;
 
 template <class N>
 struct Named {

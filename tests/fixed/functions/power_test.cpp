@@ -53,6 +53,12 @@ TEST(Powers, RangeAndDomainFollowThePolicy) {
   EXPECT_THROW((void)hypot(trapping(30000), trapping(30000)), overflow_error);
 }
 
+TEST(Powers, OfMagnitudesWhoseNegativesRoundHalfUp) {
+  // 15.625 and 13.5 ulps: only the tie goes down.
+  EXPECT_EQ(detail::rational_power<rounding::floor>(10, 24, 3).ulps, 16);
+  EXPECT_EQ(detail::rational_power<rounding::floor>(96, 768, 8).ulps, 13);
+}
+
 /// Reciprocals of roots in constant expressions, which take integers in place of doubles.
 template <class N>
 constexpr auto constant_roots = [] {
@@ -85,8 +91,8 @@ TEST(Powers, ConstantReciprocalsOfRootsAreNearest) {
 
 template <class N>
 class Lengths : public testing::Test {};
-using LengthFormats =
-    testing::Types<q8_0, q8_8, u0_16, q1_31, u32_32, q16_16, u0_32, q32_32, q1_63, u0_64>;
+using LengthFormats = testing::Types<q8_0, q8_8, u0_16, q1_31, u32_32, q16_16, u0_32, q32_32, q1_63,
+                                     u0_64, number<std::int16_t, 16>, number<std::int32_t, 32>>;
 TYPED_TEST_SUITE(Lengths, LengthFormats);
 
 TYPED_TEST(Lengths, AndReciprocalsOfEveryWidthAreNearest) {

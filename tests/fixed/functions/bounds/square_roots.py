@@ -1,7 +1,8 @@
-"""The roots that a processor computes in double. Integers correct their errors."""
+"""The roots that a processor computes in double."""
+import math
 from fractions import Fraction
 
-from bounds.gappa import Exact, NotProven
+from bounds.gappa import Exact
 from bounds.parts import ARCSINE
 
 HEADER = "square_root.hpp"
@@ -10,16 +11,13 @@ PRECISION = Fraction(1, 2**52)
 
 
 def square_roots(source):
-    bits = source.read(HEADER, r"floor\(sqrt\(n\)\), for 0 <= n < 2\^(\d+)", "by_bits(std::int64_t n)")
-    below_next = source.read(HEADER, r">= 2\^-(\d+) below the next integer")
-    # (r + 1)^2 - 1 has a root of at most (r + 1) - 1 / (2 (r + 1)).
-    nearest = Fraction(1, 2 * 2 ** (bits // 2))
-    if nearest < Fraction(1, 2**below_next):
-        return [Exact("the distance to the next integer", nearest * 2**below_next, None, below_next, (1, None))]
-    small = 2 ** (bits // 2) * PRECISION
+    bits = source.read(HEADER, r"digits \+ FractionBits < (\d+)", "has_fast_root") - 1
+    root = math.isqrt(2**bits) + 1
+    # The root and its sum with 1/2 are rounded. Every root of an integer is at least this far from a half.
+    both, nearest = 2 * (root + 1) * PRECISION, Fraction(1, 8 * root + 4)
     # sqrt(n (1 + p)) (1 + p) < sqrt(n) (1 + 2p)
     word = 2**32 * 2 * PRECISION
-    return [Exact(f"the root of a number below 2^{bits}", -small * 2**28, small * 2**28, 28,
+    return [Exact(f"the root of a number below 2^{bits}, plus 1/2", -both * 2**28, both * 2**28, 28,
                   (-nearest * 2**28, nearest * 2**28)),
             Exact("the root of a word of 64 bits, rounded to double first", -word * 2**19, word * 2**19, 19,
                   (-(2**19), 2**19))]
