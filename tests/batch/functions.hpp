@@ -29,25 +29,20 @@ struct BatchFunction {
   void (*many)(const Numbers<N>& x, const Numbers<N>& y, Numbers<N>& out, batch::path use);
 };
 
-#define UNARY(function)                                                                          \
-  BatchFunction<N> {                                                                             \
-#function,                                                                                   \
-        [](N x, N) { return fixproof::function(x); },                                            \
-                                                   [](const Numbers <N>& x, const Numbers <N>&,  \
-                                                      Numbers <N>& out,                          \
-                                                      batch::path                                \
-                                                          use) { batch::function(x, out, use); } \
-  }
-#define BINARY(function)                                                                            \
-  BatchFunction<N> {                                                                                \
-#function,                                                                                      \
-        [](N x,                                                                                     \
-           N y) { return fixproof::function(x, y); },                                               \
-                                                   [](const Numbers <N>& x, const Numbers <N>& y,   \
-                                                      Numbers <N>& out,                             \
-                                                      batch::path                                   \
-                                                          use) { batch::function(x, y, out, use); } \
-  }
+template <class N>
+constexpr BatchFunction<N> pair_of(const char* name, decltype(BatchFunction<N>::one) one,
+                                   decltype(BatchFunction<N>::many) many) {
+  return {name, one, many};
+}
+
+#define UNARY(function)                                        \
+  pair_of<N>(                                                  \
+      #function, [](N x, N) { return fixproof::function(x); }, \
+      [](const auto& x, const auto&, auto& out, auto use) { batch::function(x, out, use); })
+#define BINARY(function)                                            \
+  pair_of<N>(                                                       \
+      #function, [](N x, N y) { return fixproof::function(x, y); }, \
+      [](const auto& x, const auto& y, auto& out, auto use) { batch::function(x, y, out, use); })
 
 template <class N>
 inline constexpr std::array all_functions{
