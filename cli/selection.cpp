@@ -240,6 +240,17 @@ void refuse_without(const std::string& party, std::span<const cases::Row> rows) 
   }
 }
 
+[[noreturn]] void throw_no_rows(const Selection& selection,
+                                std::span<const cases::Variant> left_out) {
+  if (left_out.empty() || selection.level < 3) {
+    throw support::UsageError("no row has these operations and options; leave some options out");
+  }
+  throw support::UsageError(
+      fmt::format("level 3 tries all cases, and {} has more than 2^32; choose --level 2{}",
+                  cases::name_of(left_out.front()),
+                  selection.formats.empty() ? "" : ", or a format of fewer bits"));
+}
+
 }  // namespace
 
 std::vector<cases::Row> chosen_rows(const Selection& selection,
@@ -262,11 +273,7 @@ std::vector<cases::Row> chosen_rows(const Selection& selection,
     }
     rows.push_back(parties::row_of(*variant, parties));
   }
-  if (rows.empty()) {
-    throw support::UsageError(
-        fmt::format("level {} has no row for these operations and options; leave some options out",
-                    selection.level));
-  }
+  if (rows.empty()) throw_no_rows(selection, variants);
   if (!selection.by.empty()) refuse_without(selection.by, rows);
   for (const std::string& party : selection.against) refuse_without(party, rows);
   for (const cases::Row& row : rows) {
