@@ -110,10 +110,13 @@ cases::Operation format_operation_named(std::string_view name) {
   const cases::Operation operation = answered_operation_named(name);
   if (std::ranges::find(format_operations, operation) == format_operations.end() &&
       !cases::is_function(operation) && !cases::is_quotient_function(operation)) {
+    std::string operations;
+    for (const cases::Operation o : format_operations) {
+      operations += fmt::format("{}, ", cases::name_of(o));
+    }
     throw support::UsageError(
-        fmt::format("{} exists only in 16.16; with --format choose add, sub, mul, div, sqrt, "
-                    "decimal, binary64, or a function: {}",
-                    name, cases::function_names()));
+        fmt::format("{} exists only in 16.16; with --format choose {}or a function: {}", name,
+                    operations, cases::function_names()));
   }
   return operation;
 }

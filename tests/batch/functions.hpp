@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "batch/functions.hpp"
+#include "cases/function_names.hpp"
 #include "fixed/fixed.hpp"
 
 namespace batch_test {
@@ -35,48 +36,19 @@ constexpr BatchFunction<N> pair_of(const char* name, decltype(BatchFunction<N>::
   return {name, one, many};
 }
 
-#define UNARY(function)                                        \
+#define OF_ONE(function)                                       \
   pair_of<N>(                                                  \
       #function, [](N x, N) { return fixproof::function(x); }, \
-      [](const auto& x, const auto&, auto& out, auto use) { batch::function(x, out, use); })
-#define BINARY(function)                                            \
+      [](const auto& x, const auto&, auto& out, auto use) { batch::function(x, out, use); }),
+#define OF_TWO(function)                                            \
   pair_of<N>(                                                       \
       #function, [](N x, N y) { return fixproof::function(x, y); }, \
-      [](const auto& x, const auto& y, auto& out, auto use) { batch::function(x, y, out, use); })
-
+      [](const auto& x, const auto& y, auto& out, auto use) { batch::function(x, y, out, use); }),
 template <class N>
-inline constexpr std::array all_functions{
-    UNARY(exp),
-    UNARY(exp2),
-    UNARY(expm1),
-    UNARY(log),
-    UNARY(log2),
-    UNARY(log10),
-    UNARY(log1p),
-    UNARY(sinh),
-    UNARY(cosh),
-    UNARY(tanh),
-    UNARY(sin),
-    UNARY(cos),
-    UNARY(tan),
-    UNARY(sin_of_degrees),
-    UNARY(cos_of_degrees),
-    UNARY(tan_of_degrees),
-    UNARY(asin),
-    UNARY(sin_of_turns),
-    UNARY(cos_of_turns),
-    UNARY(tan_of_turns),
-    UNARY(acos),
-    UNARY(atan),
-    UNARY(cbrt),
-    UNARY(rsqrt),
-    UNARY(reciprocal),
-    BINARY(atan2),
-    BINARY(hypot),
-    BINARY(pow),
-};
-#undef UNARY
-#undef BINARY
+inline constexpr std::array all_functions{FIXPROOF_FUNCTIONS_OF_ONE(OF_ONE)
+                                              FIXPROOF_FUNCTIONS_OF_TWO(OF_TWO)};
+#undef OF_ONE
+#undef OF_TWO
 
 /// The ends of the range, small numbers, and words with any number of leading zeros.
 template <class N>
