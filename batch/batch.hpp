@@ -396,4 +396,14 @@ project(const X& x, const Y& y, const Z& z, number<Raw, F, P> constant, ToX&& to
       });
 }
 
+/// \cond
+FIXED_REFUSED_RANGES(report, multiply)
+FIXED_REFUSED_RANGES(report, mul_add)
+FIXED_REFUSED_RANGES(report, divide)
+FIXED_REFUSED_RANGES(report, sqrt)
+FIXED_REFUSED_RANGES(detail::element_t<X>, dot)
+FIXED_REFUSED_RANGES(report, transform)
+FIXED_REFUSED_RANGES(report, project)
+/// \endcond
+
 }  // namespace fixproof::batch

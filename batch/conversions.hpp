@@ -25,10 +25,7 @@ namespace fixproof::detail {
 
 /// A range of float or double.
 template <class Range>
-concept float_range = requires(const Range& range) {
-  std::size(range);
-}
-&&binary_float<element_t<Range>>;
+concept float_range = sized<Range> && binary_float<element_t<Range>>;
 
 /// A range of float or double that can be written.
 template <class Range>

@@ -230,4 +230,33 @@ void pow(const A& x, const B& y, Out&& out,
   detail::each_of<detail::of_pow>(use, out, x, y);
 }
 
+/// \cond
+FIXED_REFUSED_RANGES(void, exp2)
+FIXED_REFUSED_RANGES(void, exp)
+FIXED_REFUSED_RANGES(void, expm1)
+FIXED_REFUSED_RANGES(void, log)
+FIXED_REFUSED_RANGES(void, log1p)
+FIXED_REFUSED_RANGES(void, log2)
+FIXED_REFUSED_RANGES(void, log10)
+FIXED_REFUSED_RANGES(void, sinh)
+FIXED_REFUSED_RANGES(void, cosh)
+FIXED_REFUSED_RANGES(void, tanh)
+FIXED_REFUSED_RANGES(void, sin_of_degrees)
+FIXED_REFUSED_RANGES(void, cos_of_degrees)
+FIXED_REFUSED_RANGES(void, tan_of_degrees)
+FIXED_REFUSED_RANGES(void, sin_of_turns)
+FIXED_REFUSED_RANGES(void, cos_of_turns)
+FIXED_REFUSED_RANGES(void, tan_of_turns)
+FIXED_REFUSED_RANGES(void, tan)
+FIXED_REFUSED_RANGES(void, atan)
+FIXED_REFUSED_RANGES(void, asin)
+FIXED_REFUSED_RANGES(void, acos)
+FIXED_REFUSED_RANGES(void, cbrt)
+FIXED_REFUSED_RANGES(void, rsqrt)
+FIXED_REFUSED_RANGES(void, reciprocal)
+FIXED_REFUSED_RANGES(void, atan2)
+FIXED_REFUSED_RANGES(void, hypot)
+FIXED_REFUSED_RANGES(void, pow)
+/// \endcond
+
 }  // namespace fixproof::batch

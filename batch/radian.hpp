@@ -20,7 +20,7 @@ namespace fixproof::detail {
 template <class N>
 constexpr void check_radians() noexcept {
   static_assert(has_radians<typename N::raw_type, N::fraction_bits>,
-                "radians need 16.16 or 8.8: convert the angles to fixproof::q16_16");
+                "radians need 16.16 or 8.8: for others, call sin and cos of batch/functions.hpp");
 }
 
 /// Up to this many angles are faster one by one.
@@ -91,5 +91,11 @@ void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = 
     to_sin[i] = N::from_raw(static_cast<raw>(nearest_sine<F>(angle, 0)));
   }
 }
+
+/// \cond
+FIXED_REFUSED_RANGES(void, sin)
+FIXED_REFUSED_RANGES(void, cos)
+FIXED_REFUSED_RANGES(void, sin_cos)
+/// \endcond
 
 }  // namespace fixproof::batch

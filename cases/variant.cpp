@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "support/edits.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::cases {
@@ -66,11 +67,20 @@ constexpr std::array<std::pair<std::string_view, Operation>, 46> operations{{
 Operation named(std::string_view name, std::string_view kind,
                 std::span<const std::pair<std::string_view, Operation>> known) {
   std::string all;
+  std::string nearest;
+  std::size_t fewest_edits = name.size() < 5 ? 1 : 2;
   for (const auto& [other, operation] : known) {
     if (other == name) return operation;
     all += fmt::format("{}{}", all.empty() ? "" : ", ", other);
+    const std::size_t edits = support::edits_between(name, other);
+    if (edits > fewest_edits) continue;
+    if (edits < fewest_edits) nearest.clear();
+    fewest_edits = edits;
+    nearest += fmt::format("{}{}", nearest.empty() ? "" : " or ", other);
   }
-  throw std::invalid_argument(fmt::format("unknown {} '{}'; choose one of {}", kind, name, all));
+  const std::string meant = nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
+  throw std::invalid_argument(
+      fmt::format("unknown {} '{}'{}; choose one of {}", kind, name, meant, all));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include "check/cases.hpp"
 #include "check/judge.hpp"
@@ -46,6 +47,15 @@ constexpr std::string_view judged_operations =
     "mul, div, sqrt, add, sub, from_binary64, convert, from_decimal, to_decimal, or a function of "
     "docs/functions.md";
 
+/// The option for operands without a result, and its value.
+std::pair<std::string_view, std::string_view> no_result_option(const CheckOptions& options,
+                                                               cases::Operation operation) {
+  if (cases::is_function(operation)) return {"--outside-domain", options.outside_domain};
+  if (operation == cases::Operation::sqrt) return {"--negative-root", options.negative_root};
+  if (operation == cases::Operation::from_binary64) return {"--not-finite", options.not_finite};
+  return {"--divide-by-zero", options.divide_by_zero};
+}
+
 check::Rules rules_of(const CheckOptions& options) {
   check::Rules rules;
   rules.operation = cases::operation_named(options.operation);
@@ -81,22 +91,11 @@ check::Rules rules_of(const CheckOptions& options) {
                     options.operation));
   }
   cases::check_format(rules.operation, rules.format);
-  const auto zero = rule_named("--divide-by-zero", options.divide_by_zero,
-                               check::no_result_rules(cases::Operation::div),
-                               std::optional(check::NoResult::any));
-  const auto root = rule_named("--negative-root", options.negative_root,
-                               check::no_result_rules(cases::Operation::sqrt),
-                               std::optional(check::NoResult::any));
-  const auto not_finite = rule_named("--not-finite", options.not_finite,
-                                     check::no_result_rules(cases::Operation::from_binary64),
-                                     std::optional(check::NoResult::any));
-  const auto outside_domain = rule_named("--outside-domain", options.outside_domain,
-                                         check::no_result_rules(cases::Operation::exp),
-                                         std::optional(check::NoResult::any));
-  rules.no_result = is_function                                          ? outside_domain
-                    : rules.operation == cases::Operation::sqrt          ? root
-                    : rules.operation == cases::Operation::from_binary64 ? not_finite
-                                                                         : zero;
+  if (check::can_lack_result(rules.operation, rules.format)) {
+    const auto [option, rule] = no_result_option(options, rules.operation);
+    rules.no_result = rule_named(option, rule, check::no_result_rules(rules.operation),
+                                 std::optional(check::NoResult::any));
+  }
   return rules;
 }
 
@@ -132,6 +131,24 @@ std::string heading(const check::Rules& rules, const std::string& cases) {
     text += fmt::format(", outside domain {}", check::name_of(rules.no_result));
   }
   return text + fmt::format("; cases of {}\n\n", cases);
+}
+
+/// If only operands without a result have wrong results, names the option that accepts these.
+std::string no_result_hint(const check::Judge& judge, const CheckOptions& options) {
+  const check::Rules& rules = judge.rules();
+  const std::uint64_t wrong = judge.wrong().count();
+  if (wrong == 0 || rules.port != nullptr ||
+      judge.tally(check::CaseKind::no_result, false).wrong != wrong) {
+    return "";
+  }
+  const check::BestRules best = judge.trial().no_result(0);
+  const bool is_kept = best.first.exceptions.count() == 0;
+  return fmt::format(
+      "\nAll wrong results are in the row '{}'; {} {} accepts them.\n",
+      check::name_of(check::CaseKind::no_result, rules.operation),
+      no_result_option(options, rules.operation).first,
+      check::name_of(is_kept ? check::no_result_rules(rules.operation, rules.format)[best.rules[0]]
+                             : check::NoResult::any));
 }
 
 /// Judges the result of every case, or stops early after an interrupt.
@@ -227,7 +244,7 @@ int check(const CheckOptions& options) {
   if (judge.cases() > 0) {
     std::cout << heading(rules, options.from.empty() ? options.cases.command_line(variant)
                                                      : support::printable(options.from))
-              << check::verdict_text(judge);
+              << check::verdict_text(judge) << no_result_hint(judge, options);
   }
   if (support::Interrupt::flag()) {
     std::cout << fmt::format("\nSTOPPED after {}{} cases\n", support::grouped(judge.cases()),

@@ -110,10 +110,13 @@ cases::Operation format_operation_named(std::string_view name) {
   const cases::Operation operation = answered_operation_named(name);
   if (std::ranges::find(format_operations, operation) == format_operations.end() &&
       !cases::is_function(operation) && !cases::is_quotient_function(operation)) {
+    std::string operations;
+    for (const cases::Operation o : format_operations) {
+      operations += fmt::format("{}, ", cases::name_of(o));
+    }
     throw support::UsageError(
-        fmt::format("{} exists only in 16.16; with --format choose add, sub, mul, div, sqrt, "
-                    "decimal, binary64, or a function: {}",
-                    name, cases::function_names()));
+        fmt::format("{} exists only in 16.16; with --format choose {}or a function: {}", name,
+                    operations, cases::function_names()));
   }
   return operation;
 }
@@ -240,6 +243,17 @@ void refuse_without(const std::string& party, std::span<const cases::Row> rows) 
   }
 }
 
+[[noreturn]] void throw_no_rows(const Selection& selection,
+                                std::span<const cases::Variant> left_out) {
+  if (left_out.empty() || selection.level < 3) {
+    throw support::UsageError("no row has these operations and options; leave some options out");
+  }
+  throw support::UsageError(
+      fmt::format("level 3 tries all cases, and {} has more than 2^32; choose --level 2{}",
+                  cases::name_of(left_out.front()),
+                  selection.formats.empty() ? "" : ", or a format of fewer bits"));
+}
+
 }  // namespace
 
 std::vector<cases::Row> chosen_rows(const Selection& selection,
@@ -262,11 +276,7 @@ std::vector<cases::Row> chosen_rows(const Selection& selection,
     }
     rows.push_back(parties::row_of(*variant, parties));
   }
-  if (rows.empty()) {
-    throw support::UsageError(
-        fmt::format("level {} has no row for these operations and options; leave some options out",
-                    selection.level));
-  }
+  if (rows.empty()) throw_no_rows(selection, variants);
   if (!selection.by.empty()) refuse_without(selection.by, rows);
   for (const std::string& party : selection.against) refuse_without(party, rows);
   for (const cases::Row& row : rows) {

@@ -24,13 +24,15 @@ list(TRANSFORM standard_headers REPLACE ".+" "#include <\\0>\n" OUTPUT_VARIABLE 
 list(JOIN standard_includes "" standard_includes)
 list(JOIN standard_headers "|" standard_header)
 
-# read_header(HEADER RESULT): its text, without comments, the spaces that align line ends in macros, and what
-# only a file of its own needs, indented by tabs.
+# read_header(HEADER RESULT): its text, without comments, the spaces that align line ends in macros, line ends after
+# ( and a comma, and what only a file of its own needs, indented by tabs.
 function(read_header header result)
   file(READ ${root}/${header} text)
   string(REGEX REPLACE " *//[^\n]*" "" text "\n${text}")
   string(REGEX REPLACE "\n\n+" "\n" text "${text}")
   string(REGEX REPLACE " +\\\\\n" " \\\\\n" text "${text}")
+  string(REGEX REPLACE "([(])\n +" "\\1" text "${text}")
+  string(REGEX REPLACE ",\n +" ", " text "${text}")
   while(text MATCHES "\n\t*  ")
     string(REGEX REPLACE "(\n\t*)  " "\\1\t" text "${text}")
   endwhile()

@@ -91,10 +91,10 @@ template <class Raw, int F, policy P>
 }
 
 /// \cond
-FIXED_REFUSED_DOUBLE(atan)
-FIXED_REFUSED_DOUBLE(asin)
-FIXED_REFUSED_DOUBLE(acos)
-FIXED_REFUSED_PAIR(atan2)
+FIXED_REFUSED_PLAIN(atan)
+FIXED_REFUSED_PLAIN(asin)
+FIXED_REFUSED_PLAIN(acos)
+FIXED_REFUSED_MIX(atan2)
 /// \endcond
 
 }  // namespace FIXED_FUNCTIONS

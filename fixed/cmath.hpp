@@ -3,6 +3,7 @@
 /// fixed/math.hpp, exponential.hpp, trigonometry.hpp, angle.hpp and power.hpp have the others.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <type_traits>
 
@@ -168,8 +169,16 @@ template <class Raw, int F, policy P>
 }
 
 /// \cond
-FIXED_REFUSED_PAIR(fmod)
-FIXED_REFUSED_PAIR(remainder)
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares functions
+#define FIXED_NEEDS_SIGN(name, ...)                                                       \
+  template <std::unsigned_integral Raw, int F, policy P>                                  \
+  number<Raw, F, P> name(number<Raw, F, P>, number<Raw, F, P> __VA_OPT__(, ) __VA_ARGS__) \
+      FIXED_INSTEAD("a remainder can be negative: convert to a signed format, as in q48_16(x)");
+FIXED_NEEDS_SIGN(remainder)
+FIXED_NEEDS_SIGN(remquo, int*)
+#undef FIXED_NEEDS_SIGN
+FIXED_REFUSED_MIX(fmod)
+FIXED_REFUSED_MIX(remainder)
 /// \endcond
 
 }  // namespace fixproof

@@ -35,6 +35,7 @@
 #include "fixed/checked.hpp"
 #include "fixed/cmath.hpp"
 #include "fixed/constants.hpp"
+#include "fixed/detail/elsewhere.hpp"
 #include "fixed/formats.hpp"
 #include "fixed/limits.hpp"
 #include "fixed/literals.hpp"

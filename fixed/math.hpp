@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "fixed/detail/exact.hpp"
+#include "fixed/detail/operands.hpp"
 #include "fixed/detail/raise.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/square_root.hpp"
@@ -164,20 +165,21 @@ template <class Raw, int F, policy P>
 namespace detail {
 
 template <class T>
-inline constexpr bool is_number = false;
-template <class Raw, int F, policy P>
-inline constexpr bool is_number<number<Raw, F, P>> = true;
+inline constexpr bool is_number = is_plain_number<T>;
 
 /// The element type of a range with std::data().
 template <class Range>
 using element_t = std::remove_cvref_t<decltype(*std::data(std::declval<const Range&>()))>;
 
+template <class Range>
+concept sized = requires(const Range& range) {
+  std::size(range);
+};
+
 /// An array, vector, span or similar range of numbers. Does not use <ranges>, which compiles slowly
 /// and is missing from some freestanding libraries.
 template <class Range>
-concept number_range = is_number<element_t<Range>> && requires(const Range& range) {
-  std::size(range);
-};
+concept number_range = is_number<element_t<Range>> && sized<Range>;
 
 /// Whether 128-bit sums of products are kept in a wide_sum.
 template <class Raw, int F>
@@ -256,5 +258,11 @@ requires std::same_as<detail::element_t<A>, detail::element_t<B>>
         [terms] { detail::raise<overflow_error>("overflow", "dot", detail::term_count{terms}); }));
   }
 }
+
+/// \cond
+FIXED_REFUSED_PLAIN(sqrt)
+FIXED_REFUSED_MIX(mul_add)
+FIXED_REFUSED_MIX(lerp)
+/// \endcond
 
 }  // namespace fixproof

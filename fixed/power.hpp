@@ -171,11 +171,11 @@ template <class Raw, int F, policy P>
 }
 
 /// \cond
-FIXED_REFUSED_DOUBLE(cbrt)
-FIXED_REFUSED_DOUBLE(rsqrt)
-FIXED_REFUSED_DOUBLE(reciprocal)
-FIXED_REFUSED_PAIR(hypot)
-FIXED_REFUSED_PAIR(pow)
+FIXED_REFUSED_PLAIN(cbrt)
+FIXED_REFUSED_PLAIN(rsqrt)
+FIXED_REFUSED_PLAIN(reciprocal)
+FIXED_REFUSED_MIX(hypot)
+FIXED_REFUSED_MIX(pow)
 /// \endcond
 
 }  // namespace FIXED_FUNCTIONS

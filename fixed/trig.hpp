@@ -12,17 +12,11 @@
 
 #include "fixed/detail/cosine_table.hpp"
 #include "fixed/detail/instead.hpp"
+#include "fixed/detail/operands.hpp"
 #include "fixed/detail/radian.hpp"
 #include "fixed/number.hpp"
 
 namespace fixproof {
-
-namespace detail {
-/// A number whose sines are in fixed/trigonometry.hpp. Overloads for number<Raw, F, P> are
-/// preferred to one for any N.
-template <class N>
-concept has_no_fast_sine = !has_radians<typename N::raw_type, N::fraction_bits>;
-}  // namespace detail
 
 /// The result of sin_cos() and the functions like it.
 template <class Number>
@@ -106,23 +100,21 @@ requires detail::has_radians<Raw, F>
 
 /// \cond
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares functions
-#define FIXED_REFUSED_ANGLE(name)                                                                \
-  template <class Number, class T>                                                               \
-  requires std::is_arithmetic_v<T> Number name(T)                                                \
-  FIXED_INSTEAD("angles are numbers in radians, " #name "(q16_16(0.5)); in degrees: " #name      \
-                "_of_tenths<q16_16>(300)");                                                      \
-  template <detail::has_no_fast_sine N>                                                          \
-  N name(N) FIXED_INSTEAD(#name                                                                  \
-                          " of radians: include fixed/trigonometry.hpp; in 64 bits convert, as " \
-                          "in " #name "(q16_16(x))");                                            \
-  template <class Number, class T>                                                               \
-  requires(!std::integral<T>) Number name##_of_tenths(T)                                         \
-      FIXED_INSTEAD("angles are whole tenths of a degree: " #name                                \
+#define FIXED_REFUSED_ANGLE(name)                                                           \
+  template <class Number, class T>                                                          \
+  requires std::is_arithmetic_v<T> Number name(T)                                           \
+  FIXED_INSTEAD("angles are numbers in radians, " #name "(q16_16(0.5)); in degrees: " #name \
+                "_of_tenths<q16_16>(300)");                                                 \
+  template <class Number, class T>                                                          \
+  requires(!std::integral<T>) Number name##_of_tenths(T)                                    \
+      FIXED_INSTEAD("angles are whole tenths of a degree: " #name                           \
                     "_of_tenths<q16_16>(300) is for 30.0 degrees");
 FIXED_REFUSED_ANGLE(sin)
 FIXED_REFUSED_ANGLE(cos)
 FIXED_REFUSED_ANGLE(sin_cos)
 #undef FIXED_REFUSED_ANGLE
+FIXED_REFUSED_PLAIN(sin)
+FIXED_REFUSED_PLAIN(cos)
 /// \endcond
 
 }  // namespace fixproof

@@ -171,18 +171,16 @@ template <class Raw, int F, policy P>
 }
 
 /// \cond
-FIXED_REFUSED_DOUBLE(sin)
-FIXED_REFUSED_DOUBLE(cos)
-FIXED_REFUSED_DOUBLE(tan)
-FIXED_REFUSED_DOUBLE(sin_of_degrees)
-FIXED_REFUSED_DOUBLE(cos_of_degrees)
-FIXED_REFUSED_DOUBLE(tan_of_degrees)
-FIXED_REFUSED_DOUBLE(sin_of_turns)
-FIXED_REFUSED_DOUBLE(cos_of_turns)
-FIXED_REFUSED_DOUBLE(tan_of_turns)
-FIXED_REFUSED_DOUBLE(sin_cos)
-FIXED_REFUSED_DOUBLE(sin_cos_of_degrees)
-FIXED_REFUSED_DOUBLE(sin_cos_of_turns)
+FIXED_REFUSED_PLAIN(tan)
+FIXED_REFUSED_PLAIN(sin_of_degrees)
+FIXED_REFUSED_PLAIN(cos_of_degrees)
+FIXED_REFUSED_PLAIN(tan_of_degrees)
+FIXED_REFUSED_PLAIN(sin_of_turns)
+FIXED_REFUSED_PLAIN(cos_of_turns)
+FIXED_REFUSED_PLAIN(tan_of_turns)
+FIXED_REFUSED_PLAIN(sin_cos)
+FIXED_REFUSED_PLAIN(sin_cos_of_degrees)
+FIXED_REFUSED_PLAIN(sin_cos_of_turns)
 /// \endcond
 
 }  // namespace FIXED_FUNCTIONS

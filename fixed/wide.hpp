@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "fixed/detail/divide.hpp"
+#include "fixed/detail/operands.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/raise.hpp"
 #include "fixed/detail/rounding.hpp"
@@ -124,5 +125,9 @@ class accumulator {
  private:
   wide sum_{0};
 };
+
+/// \cond
+FIXED_REFUSED_MIX(mul_div)
+/// \endcond
 
 }  // namespace fixproof

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,47 +17,23 @@
 #include "cases/plan.hpp"
 #include "cases/streams.hpp"
 #include "cases/words.hpp"
+#include "fuzz/corpus.hpp"
+#include "fuzz/log_seeds.hpp"
 #include "fuzz/step_case.hpp"
 #include "fuzz/word_target.hpp"
 #include "fuzz/words.hpp"
 #include "oracle/decimal.hpp"
-#define FIXPROOF_RECORD 1
-#include "record/recorded.hpp"
 #include "support/error_text.hpp"
-#include "support/file.hpp"
 #include "verify/maker.hpp"
 #include "verify/report_json.hpp"
 
 using namespace fixproof;
+using fuzz::Corpus;
 namespace fs = std::filesystem;
 
 namespace {
 
 constexpr std::uint64_t seed = 1994;
-
-class Corpus {
- public:
-  Corpus(const fs::path& root, std::string_view target) : folder_(root / target) {
-    fs::create_directories(folder_);
-  }
-
-  void add(std::string_view bytes) {
-    const fs::path path = folder_ / fmt::format("seed-{:04}", files_++);
-    std::ofstream file;
-    file.exceptions(std::ios::failbit | std::ios::badbit);
-    file.open(path, std::ios::binary);
-    file << bytes;
-  }
-  void add(std::span<const std::uint8_t> bytes) { add(std::string(bytes.begin(), bytes.end())); }
-
-  void add_file(const fs::path& path, std::string_view before = "") {
-    add(std::string(before) + support::read_file(path));
-  }
-
- private:
-  fs::path folder_;
-  int files_ = 0;
-};
 
 /// Calls `each(words)` for evenly spread cases of every stream of the variant.
 template <class Each>
@@ -341,44 +316,6 @@ void write_solver_answers(const fs::path& root) {
         " (define-fun twice () (_ BitVec 32) #x00000001)");
 }
 
-/// A small run of recorded numbers, with `planted` in its operands.
-std::string recorded_run(const fs::path& path, int planted, record::full_range full) {
-  using real = fixproof::recorded<q16_16>;
-  {
-    const record::log log(path.string(), {.program = "seed", .full = full});
-    real sum(1);
-    for (int turn = 0; turn < 40; ++turn) {
-      // Frame 5 comes twice, as in a program that goes back.
-      if (turn % 5 == 0) record::frame(turn < 30 ? turn / 5 : turn / 5 - 1);
-      if (turn % 10 == 3) record::mark(turn % 20 == 3 ? "move" : "collide");
-      if (turn == 20) record::confirm(3);
-      sum += real(turn == 17 ? planted : turn) / real(3);
-      sum = sqrt(sum) * real(0.75);
-    }
-  }
-  std::string bytes = support::read_file(path.string());
-  fs::remove(path);
-  return bytes;
-}
-
-/// Pairs of logs, sealed or not; see recorder_log.cpp.
-void write_logs(const fs::path& root) {
-  Corpus corpus(root, "recorder_log");
-  const fs::path path = root / "run.log";
-  for (const record::full_range full :
-       {record::full_range{}, record::full_range{.is_of_frames = false, .first = 3, .last = 4}}) {
-    const std::string a = recorded_run(path, 17, full);
-    for (const int planted : {17, 18}) {
-      const std::string b = recorded_run(path, planted, full);
-      for (const char sealed : {'s', 'k'}) {
-        const auto pages = static_cast<char>(a.size() / record::page_bytes);
-        corpus.add(std::string{sealed, pages} + a + b);
-        corpus.add(std::string{sealed, pages} + a + b.substr(0, b.size() - record::page_bytes));
-      }
-    }
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -403,7 +340,7 @@ int main(int argc, char** argv) {
     write_captures(root, argv[3]);
     write_solver_answers(root);
     write_code(root);
-    write_logs(root);
+    fuzz::write_logs(root);
   } catch (const std::exception& error) {
     support::write_error(fmt::format("fuzz_seeds: {}\n", error.what()));
     return 2;

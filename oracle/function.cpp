@@ -57,34 +57,9 @@ std::optional<Integer> twice_if_whole(const Decimal100& value) {
   return Integer(whole);
 }
 
-constexpr std::array<std::string_view, 28> names{"exp2",
-                                                 "exp",
-                                                 "expm1",
-                                                 "log2",
-                                                 "log",
-                                                 "log10",
-                                                 "log1p",
-                                                 "sinh",
-                                                 "cosh",
-                                                 "tanh",
-                                                 "sin",
-                                                 "cos",
-                                                 "tan",
-                                                 "sin_of_degrees",
-                                                 "cos_of_degrees",
-                                                 "tan_of_degrees",
-                                                 "sin_of_turns",
-                                                 "cos_of_turns",
-                                                 "tan_of_turns",
-                                                 "asin",
-                                                 "acos",
-                                                 "atan",
-                                                 "cbrt",
-                                                 "rsqrt",
-                                                 "reciprocal",
-                                                 "atan2",
-                                                 "hypot",
-                                                 "pow"};
+#define ORACLE_NAME(name) #name,
+constexpr std::array<std::string_view, 28> names{ORACLE_FUNCTIONS(ORACLE_NAME)};
+#undef ORACLE_NAME
 
 }  // namespace
 

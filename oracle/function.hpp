@@ -10,38 +10,43 @@
 
 namespace oracle {
 
-/// The functions of real numbers. Angles are in radians unless the name says otherwise.
-enum class Function {
-  exp2,
-  exp,
-  expm1,
-  log2,
-  log,
-  log10,
-  log1p,
-  sinh,
-  cosh,
-  tanh,
-  sin,
-  cos,
-  tan,
-  sin_of_degrees,
-  cos_of_degrees,
-  tan_of_degrees,
-  sin_of_turns,
-  cos_of_turns,
-  tan_of_turns,
-  asin,
-  acos,
-  atan,
-  cbrt,
-  rsqrt,
-  reciprocal,
-  // Of two numbers
-  atan2,
-  hypot,
-  pow,
-};
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): a list for macros
+/// The functions of real numbers; the last three are of two. Angles are in radians unless the name
+/// says otherwise.
+#define ORACLE_FUNCTIONS(X) \
+  X(exp2)                   \
+  X(exp)                    \
+  X(expm1)                  \
+  X(log2)                   \
+  X(log)                    \
+  X(log10)                  \
+  X(log1p)                  \
+  X(sinh)                   \
+  X(cosh)                   \
+  X(tanh)                   \
+  X(sin)                    \
+  X(cos)                    \
+  X(tan)                    \
+  X(sin_of_degrees)         \
+  X(cos_of_degrees)         \
+  X(tan_of_degrees)         \
+  X(sin_of_turns)           \
+  X(cos_of_turns)           \
+  X(tan_of_turns)           \
+  X(asin)                   \
+  X(acos)                   \
+  X(atan)                   \
+  X(cbrt)                   \
+  X(rsqrt)                  \
+  X(reciprocal)             \
+  X(atan2)                  \
+  X(hypot)                  \
+  X(pow)
+// NOLINTEND(cppcoreguidelines-macro-usage)
+
+#define ORACLE_ENUMERATOR(name) name,
+enum class Function { ORACLE_FUNCTIONS(ORACLE_ENUMERATOR) };
+#undef ORACLE_ENUMERATOR
 
 /// The function with this name; empty for any other name.
 [[nodiscard]] std::optional<Function> function_named(std::string_view name);

@@ -3,6 +3,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "cases/function_names.hpp"
 #include "fixed/angle.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/power.hpp"
@@ -50,68 +51,24 @@ oracle::Integer outside_domain(Operation operation, const oracle::Integer& x,
 
 template <class Number>
 Number computed(Operation operation, Number x, Number y, Number z) {
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): cases of a switch
+#define OF_ONE(name)    \
+  case Operation::name: \
+    return name(x);
+#define OF_TWO(name)    \
+  case Operation::name: \
+    return name(x, y);
+  // NOLINTEND(cppcoreguidelines-macro-usage)
   switch (operation) {
-    case Operation::sin:
-      return sin(x);
-    case Operation::cos:
-      return cos(x);
-    case Operation::exp2:
-      return exp2(x);
-    case Operation::exp:
-      return exp(x);
-    case Operation::log2:
-      return log2(x);
-    case Operation::log:
-      return log(x);
-    case Operation::log10:
-      return log10(x);
-    case Operation::expm1:
-      return expm1(x);
-    case Operation::log1p:
-      return log1p(x);
-    case Operation::sinh:
-      return sinh(x);
-    case Operation::cosh:
-      return cosh(x);
-    case Operation::tanh:
-      return tanh(x);
-    case Operation::tan:
-      return tan(x);
-    case Operation::sin_of_degrees:
-      return sin_of_degrees(x);
-    case Operation::cos_of_degrees:
-      return cos_of_degrees(x);
-    case Operation::tan_of_degrees:
-      return tan_of_degrees(x);
-    case Operation::sin_of_turns:
-      return sin_of_turns(x);
-    case Operation::cos_of_turns:
-      return cos_of_turns(x);
-    case Operation::tan_of_turns:
-      return tan_of_turns(x);
-    case Operation::asin:
-      return asin(x);
-    case Operation::acos:
-      return acos(x);
-    case Operation::atan:
-      return atan(x);
-    case Operation::cbrt:
-      return cbrt(x);
-    case Operation::rsqrt:
-      return rsqrt(x);
-    case Operation::reciprocal:
-      return reciprocal(x);
-    case Operation::atan2:
-      return atan2(x, y);
-    case Operation::hypot:
-      return hypot(x, y);
-    case Operation::pow:
-      return pow(x, y);
+    FIXPROOF_FUNCTIONS_OF_ONE(OF_ONE)
+    FIXPROOF_FUNCTIONS_OF_TWO(OF_TWO)
     case Operation::hypot3:
       return hypot(x, y, z);
     default:
       throw std::invalid_argument("not a function");
   }
+#undef OF_ONE
+#undef OF_TWO
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "fixed/detail/instead.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/math.hpp"
 
@@ -41,9 +42,7 @@ template <class Range, class N, std::size_t size>
 concept tuples_of = std::is_trivially_copyable_v<element_t<Range>> &&
                         std::is_standard_layout_v<element_t<Range>> &&
                         sizeof(element_t<Range>) == size * sizeof(N) &&
-                    made_of<element_t<Range>, N, size>&& requires(const Range& range) {
-  std::size(range);
-};
+                    made_of<element_t<Range>, N, size>&& sized<Range>;
 
 template <class Range, class N, std::size_t size>
 concept output_tuples_of = tuples_of<Range, N, size> &&
@@ -76,3 +75,11 @@ void store_tuple(void* base, std::size_t index, const std::array<Raw, size>& tup
 }
 
 }  // namespace fixproof::detail
+
+/// Refuses the calls that no other overload of a batch takes. Clang reports a wrong type of the
+/// result before the text, so `result` is the type of the other overloads.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function
+#define FIXED_REFUSED_RANGES(result, name)          \
+  template <detail::sized X, class... T>            \
+  result name(const X&, const T&...) FIXED_INSTEAD( \
+      "the ranges of a batch have one number type; results come last and are not const");

@@ -32,7 +32,8 @@ using factor_product_t = signed_t<larger(64, 2 * bits_of<Raw> + (std::is_signed_
 /// An integer for products. The limit is outside every range of Raw.
 template <class Raw, overflow O, integer Int>
 constexpr factor_product_t<Raw> factor(Int value) noexcept {
-  return reduced < factor_product_t<Raw>, Raw, O, std::is_signed_v<Raw> ? 32 : 33 > (value);
+  constexpr int limit = std::is_signed_v<Raw> ? 32 : 33;
+  return reduced<factor_product_t<Raw>, Raw, O, limit>(value);
 }
 
 /// Holds the sum of units() and a Raw.

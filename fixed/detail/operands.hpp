@@ -6,7 +6,6 @@
 #include <type_traits>
 
 #include "fixed/detail/instead.hpp"
-#include "fixed/math.hpp"
 #include "fixed/number.hpp"
 
 namespace fixproof::detail {
@@ -15,12 +14,29 @@ namespace fixproof::detail {
 template <class Number>
 inline constexpr bool has_functions = bits_of<typename Number::raw_type> <= 32;
 
-/// Whether a function of two numbers of one type would have to convert one of the operands: a
-/// number, and a number of another type or an arithmetic type.
-template <class A, class B>
-concept mixed_operands =
-    !std::same_as<A, B> && ((is_number<A> && (is_number<B> || std::is_arithmetic_v<B>)) ||
-                            (is_number<B> && std::is_arithmetic_v<A>));
+template <class T>
+inline constexpr bool is_plain_number = false;
+template <class Raw, int F, policy P>
+inline constexpr bool is_plain_number<number<Raw, F, P>> = true;
+
+template <class T>
+concept number_or_arithmetic = std::is_arithmetic_v<T> || is_plain_number<T>;
+
+template <class... T>
+concept has_number = (is_plain_number<T> || ...);
+
+/// Whether a function of numbers of one type would have to convert some of its operands.
+template <class A, class... B>
+concept mixed_operands = has_number<A, B...> && !(std::same_as<A, B> && ...);
+
+/// An operand that is not a number. A conversion of the standard is preferred to this one, so that
+/// the C library's function remains the better match wherever it is visible.
+struct no_number {
+  // NOLINTNEXTLINE(google-explicit-constructor): takes an operand
+  no_number(std::integral auto) noexcept {}
+  // NOLINTNEXTLINE(google-explicit-constructor): likewise
+  no_number(std::floating_point auto) noexcept {}
+};
 
 }  // namespace fixproof::detail
 
@@ -30,16 +46,16 @@ concept mixed_operands =
   static_assert(fixproof::detail::has_functions<__VA_ARGS__>, \
                 #name " needs a format of at most 32 bits: convert, as in q16_16(x)")
 
-/// Refuses a double. Takes no other arithmetic type, so that the C library's function remains the
-/// better match wherever it is visible.
-#define FIXED_REFUSED_DOUBLE(name)  \
-  template <std::same_as<double> T> \
-  T name(T) FIXED_INSTEAD(#name " takes a number: convert, as in " #name "(q16_16(0.5))");
+/// Refuses an operand that is not a number.
+#define FIXED_REFUSED_PLAIN(name)                    \
+  template <int = 0>                                 \
+  fixproof::q16_16 name(fixproof::detail::no_number) \
+      FIXED_INSTEAD(#name " takes a number: convert, as in " #name "(q16_16(0.5))");
 
-/// Refuses two operands of different types.
-#define FIXED_REFUSED_PAIR(name)                                              \
-  template <class A, class B>                                                 \
-  requires fixproof::detail::mixed_operands<A, B> A name(A, B)                \
-  FIXED_INSTEAD(#name " takes two numbers of one type: convert, as in " #name \
-                      "(q16_16(x), q16_16(2))");
+/// Refuses operands of different types.
+#define FIXED_REFUSED_MIX(name)                                                                 \
+  template <fixproof::detail::number_or_arithmetic A, fixproof::detail::number_or_arithmetic B, \
+            fixproof::detail::number_or_arithmetic... C>                                        \
+  requires fixproof::detail::mixed_operands<A, B, C...> A name(A, B, C...)                      \
+  FIXED_INSTEAD(#name " takes numbers of one type: convert, as in q16_16(2)");
 // NOLINTEND(cppcoreguidelines-macro-usage)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "batch/functions.hpp"
+#include "cases/function_names.hpp"
 #include "fixed/fixed.hpp"
 
 namespace batch_test {
@@ -29,59 +30,25 @@ struct BatchFunction {
   void (*many)(const Numbers<N>& x, const Numbers<N>& y, Numbers<N>& out, batch::path use);
 };
 
-#define UNARY(function)                                                                          \
-  BatchFunction<N> {                                                                             \
-#function,                                                                                   \
-        [](N x, N) { return fixproof::function(x); },                                            \
-                                                   [](const Numbers <N>& x, const Numbers <N>&,  \
-                                                      Numbers <N>& out,                          \
-                                                      batch::path                                \
-                                                          use) { batch::function(x, out, use); } \
-  }
-#define BINARY(function)                                                                            \
-  BatchFunction<N> {                                                                                \
-#function,                                                                                      \
-        [](N x,                                                                                     \
-           N y) { return fixproof::function(x, y); },                                               \
-                                                   [](const Numbers <N>& x, const Numbers <N>& y,   \
-                                                      Numbers <N>& out,                             \
-                                                      batch::path                                   \
-                                                          use) { batch::function(x, y, out, use); } \
-  }
-
 template <class N>
-inline constexpr std::array all_functions{
-    UNARY(exp),
-    UNARY(exp2),
-    UNARY(expm1),
-    UNARY(log),
-    UNARY(log2),
-    UNARY(log10),
-    UNARY(log1p),
-    UNARY(sinh),
-    UNARY(cosh),
-    UNARY(tanh),
-    UNARY(sin),
-    UNARY(cos),
-    UNARY(tan),
-    UNARY(sin_of_degrees),
-    UNARY(cos_of_degrees),
-    UNARY(tan_of_degrees),
-    UNARY(asin),
-    UNARY(sin_of_turns),
-    UNARY(cos_of_turns),
-    UNARY(tan_of_turns),
-    UNARY(acos),
-    UNARY(atan),
-    UNARY(cbrt),
-    UNARY(rsqrt),
-    UNARY(reciprocal),
-    BINARY(atan2),
-    BINARY(hypot),
-    BINARY(pow),
-};
-#undef UNARY
-#undef BINARY
+constexpr BatchFunction<N> pair_of(const char* name, decltype(BatchFunction<N>::one) one,
+                                   decltype(BatchFunction<N>::many) many) {
+  return {name, one, many};
+}
+
+#define OF_ONE(function)                                       \
+  pair_of<N>(                                                  \
+      #function, [](N x, N) { return fixproof::function(x); }, \
+      [](const auto& x, const auto&, auto& out, auto use) { batch::function(x, out, use); }),
+#define OF_TWO(function)                                            \
+  pair_of<N>(                                                       \
+      #function, [](N x, N y) { return fixproof::function(x, y); }, \
+      [](const auto& x, const auto& y, auto& out, auto use) { batch::function(x, y, out, use); }),
+template <class N>
+inline constexpr std::array all_functions{FIXPROOF_FUNCTIONS_OF_ONE(OF_ONE)
+                                              FIXPROOF_FUNCTIONS_OF_TWO(OF_TWO)};
+#undef OF_ONE
+#undef OF_TWO
 
 /// The ends of the range, small numbers, and words with any number of leading zeros.
 template <class N>

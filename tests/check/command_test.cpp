@@ -218,6 +218,26 @@ TEST(CheckCommand, AFractionalMultiplyOfAnotherProgram) {
   expect_contains(run.out, "looks like       (int32_t)a * b >> 15, on all ");
 }
 
+// The type gives words where check expects DE, unless told otherwise.
+TEST(CheckCommand, NamesTheOptionForOperandsWithoutAResult) {
+  const auto hint_for = [](const std::string& operation) {
+    const auto cases = command::fixproof("gen " + operation + " --cases 500");
+    const auto results = command::fixproof("eval " + operation, cases.out);
+    const auto run =
+        command::fixproof("check " + operation + " --cases 500 --rounding half-up", results.out);
+    EXPECT_EQ(run.status, 1) << run.err;
+    return run.out;
+  };
+  expect_contains(hint_for("log2"),
+                  "\nAll wrong results are in the row 'outside domain'; "
+                  "--outside-domain minimum accepts them.\n");
+  expect_contains(hint_for("sqrt"), "'negative operand'; --negative-root zero accepts them.\n");
+  // Powers of 0 are the highest number, and those of negative numbers are 0.
+  expect_contains(hint_for("pow"), "'outside domain'; --outside-domain any accepts them.\n");
+  const auto other = command::fixproof("check mul --cases 1 --rounding half-up", "00000001\n");
+  EXPECT_EQ(other.out.find("accepts"), std::string::npos) << other.out;
+}
+
 TEST(CheckCommand, LinesThatAreNoCases) {
   const ScratchFolder folder;
   const auto cases = folder.write("cases", "# comment\n00018000\n");

@@ -77,6 +77,16 @@ TEST(Usage, WhatTakesRoutinesNamesTheRoutines) {
   }
 }
 
+TEST(Usage, NamesOperationsThatAreSpelledAlike) {
+  expect_refused("eval expp",
+                 "unknown operation 'expp' (did you mean exp2 or exp?); choose one of mul, ");
+  expect_refused("gen ecp", "(did you mean exp?)");
+  expect_refused("eval sinn_of_degree", "(did you mean sin_of_degrees?)");
+  expect_refused("eval x", "unknown operation 'x'; choose");
+  expect_refused("eval atangent", "unknown operation 'atangent'; choose");
+  expect_refused("list mull", "unknown routine 'mull' (did you mean mul?)");
+}
+
 TEST(Usage, RoundingsThatMayContradictEachOther) {
   for (const std::string_view command : {"eval", "list", "trace", "dos", "prove", "mutate"}) {
     for (const std::string_view one : {"--mul-round", "--div-round"}) {

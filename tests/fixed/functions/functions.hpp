@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "cases/function_names.hpp"
 #include "fixed/angle.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
@@ -33,41 +34,14 @@ struct Named {
   N (*compute)(N x, N y);
 };
 
+#define OF_ONE(name) Named<N>{Function::name, #name, [](N x, N) { return name(x); }},
+#define OF_TWO(name) Named<N>{Function::name, #name, [](N x, N y) { return name(x, y); }},
 template <class N>
-constexpr std::array unary{
-    Named<N>{Function::exp2, "exp2", [](N x, N) { return exp2(x); }},
-    Named<N>{Function::exp, "exp", [](N x, N) { return exp(x); }},
-    Named<N>{Function::expm1, "expm1", [](N x, N) { return expm1(x); }},
-    Named<N>{Function::log2, "log2", [](N x, N) { return log2(x); }},
-    Named<N>{Function::log, "log", [](N x, N) { return log(x); }},
-    Named<N>{Function::log10, "log10", [](N x, N) { return log10(x); }},
-    Named<N>{Function::log1p, "log1p", [](N x, N) { return log1p(x); }},
-    Named<N>{Function::sinh, "sinh", [](N x, N) { return sinh(x); }},
-    Named<N>{Function::cosh, "cosh", [](N x, N) { return cosh(x); }},
-    Named<N>{Function::tanh, "tanh", [](N x, N) { return tanh(x); }},
-    Named<N>{Function::sin, "sin", [](N x, N) { return sin(x); }},
-    Named<N>{Function::cos, "cos", [](N x, N) { return cos(x); }},
-    Named<N>{Function::tan, "tan", [](N x, N) { return tan(x); }},
-    Named<N>{Function::sin_of_degrees, "sin_of_degrees", [](N x, N) { return sin_of_degrees(x); }},
-    Named<N>{Function::cos_of_degrees, "cos_of_degrees", [](N x, N) { return cos_of_degrees(x); }},
-    Named<N>{Function::tan_of_degrees, "tan_of_degrees", [](N x, N) { return tan_of_degrees(x); }},
-    Named<N>{Function::sin_of_turns, "sin_of_turns", [](N x, N) { return sin_of_turns(x); }},
-    Named<N>{Function::cos_of_turns, "cos_of_turns", [](N x, N) { return cos_of_turns(x); }},
-    Named<N>{Function::tan_of_turns, "tan_of_turns", [](N x, N) { return tan_of_turns(x); }},
-    Named<N>{Function::asin, "asin", [](N x, N) { return asin(x); }},
-    Named<N>{Function::acos, "acos", [](N x, N) { return acos(x); }},
-    Named<N>{Function::atan, "atan", [](N x, N) { return atan(x); }},
-    Named<N>{Function::cbrt, "cbrt", [](N x, N) { return cbrt(x); }},
-    Named<N>{Function::rsqrt, "rsqrt", [](N x, N) { return rsqrt(x); }},
-    Named<N>{Function::reciprocal, "reciprocal", [](N x, N) { return reciprocal(x); }},
-};
-
+constexpr std::array unary{FIXPROOF_FUNCTIONS_OF_ONE(OF_ONE)};
 template <class N>
-constexpr std::array binary{
-    Named<N>{Function::atan2, "atan2", [](N x, N y) { return atan2(x, y); }},
-    Named<N>{Function::hypot, "hypot", [](N x, N y) { return hypot(x, y); }},
-    Named<N>{Function::pow, "pow", [](N x, N y) { return pow(x, y); }},
-};
+constexpr std::array binary{FIXPROOF_FUNCTIONS_OF_TWO(OF_TWO)};
+#undef OF_ONE
+#undef OF_TWO
 
 /// What the functions return outside their domain.
 template <class N>
