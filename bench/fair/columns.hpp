@@ -70,15 +70,16 @@ struct element_of<std::array<T, 3>> {
   static constexpr std::size_t width = 3;
 };
 
-/// An array of numbers that begins `offset` bytes after a multiple of 64. The fixed multiple of 64
-/// that `place` adds keeps arrays of one cell from being a multiple of a page apart.
+/// An array of numbers that begins `offset` bytes after a multiple of 64, rounded up to the
+/// alignment of its type. The fixed multiple of 64 that `place` adds keeps arrays of one cell from
+/// being a multiple of a page apart.
 template <class T>
 class Column {
  public:
   Column() = default;
   Column(std::size_t count, std::size_t offset, std::size_t place)
       : bytes_(static_cast<std::byte*>(::operator new(count * sizeof(T) + page, line))),
-        at_(static_cast<T*>(static_cast<void*>(bytes_.get() + place * 5 * 64 + offset))) {
+        at_(static_cast<T*>(static_cast<void*>(bytes_.get() + place * 5 * 64 + aligned(offset)))) {
     std::uninitialized_value_construct_n(at_, count);
   }
   [[nodiscard]] T* data() const { return at_; }
@@ -86,6 +87,9 @@ class Column {
  private:
   static constexpr std::size_t page = 4096;
   static constexpr std::align_val_t line{page};
+  static constexpr std::size_t aligned(std::size_t offset) {
+    return (offset + alignof(T) - 1) / alignof(T) * alignof(T);
+  }
   struct Free {
     void operator()(std::byte* at) const { ::operator delete(at, line); }
   };
