@@ -143,9 +143,8 @@ class log {
 
   void mark(std::string_view name) noexcept {
     name = name.substr(0, max_name_length);
-    const word number = number_of(name);
+    name_ = number_of(name);  // before the record, because that may begin the next block
     put_remark(kind::mark, hash_text(name.data(), name.size()));
-    name_ = number;
   }
 
   void confirm(std::int64_t number) noexcept { confirmed_ = number; }
@@ -308,8 +307,8 @@ class log {
   page_file file_;
   full_range full_;
   log* older_;  ///< The next older log of this thread, or null.
-  word hash_ =
-      0;  ///< What `current_hash` and `current_left` become when this log is current again.
+  /// What `current_hash` and `current_left` become when this log is current again.
+  word hash_ = 0;
   word left_ = 0;
 
   std::array<word, page_words> page_{};  ///< The entries of finished blocks.
