@@ -215,6 +215,25 @@ TEST_F(Runs, ARepeatedOperation) {
   }
 }
 
+/// The operation is soon before the end of a frame, and the next frame does not depend on it.
+TEST_F(Runs, OneMoreOperationThatChangesNoOther) {
+  const auto run = [](bool more) {
+    for (int frame = 0; frame < 2; ++frame) {
+      record::frame(frame);
+      recorder_test::real sum;
+      for (int i = 1; i < 20; ++i) sum += q16_16(i);
+      if (more && frame == 0) (void)recorder_test::real::from_raw(5);
+    }
+    (void)-recorder_test::real(q16_16(more ? 6 : 7));
+  };
+  const auto [one, other] = compare_short(
+      a(), b(), [&] { run(false); }, [&] { run(true); });
+  for (const Comparison& found : {one, other}) {
+    EXPECT_EQ(found.verdict, Verdict::path);
+    expect_at(found, 19);
+  }
+}
+
 TEST_F(Runs, AnotherType) {
   const auto [one, other] = compare_short(
       a(), b(), [] { (void)(recorded<q16_16>(q16_16(1)) + recorded<q16_16>(q16_16(2))); },
@@ -349,6 +368,23 @@ TEST_F(Runs, TheLongestNamesAreCutAndFound) {
   LogFile log(a());
   EXPECT_EQ(log.name(1), name.substr(0, 255));
   EXPECT_EQ(log.name_with_hash(log.records(0).at(1).name), name.substr(0, 255));
+}
+
+TEST_F(Runs, AFrameThatEndsWithTheRunDoesNotHideTheOthers) {
+  for (const auto& [path, last] : {std::pair(a(), 100), std::pair(b(), 50)}) {
+    const record::log log(path);
+    for (int frame = 0; frame < 5; ++frame) {
+      record::frame(frame);
+      recorder_test::real sum;
+      for (int i = 0; i < (frame == 4 ? last : 100); ++i) sum += q16_16::from_raw(i);
+    }
+  }
+  LogFile first(a());
+  LogFile second(b());
+  const Comparison found = desync::compare_last_frames(first, second);
+  EXPECT_EQ(found.verdict, Verdict::equal);
+  EXPECT_EQ(found.blocks, 5U);
+  EXPECT_EQ(found.operations, 400U);
 }
 
 TEST_F(Runs, FramesThatAreNotConfirmedDoNotCount) {
