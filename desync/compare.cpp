@@ -67,7 +67,7 @@ std::pair<std::size_t, std::size_t> first_unmatched(const std::vector<Record>& a
   return {a.size(), next};
 }
 
-/// Tells whether an operation makes a number from something else than numbers.
+/// Tells whether an operation makes a number from something other than numbers.
 bool enters(const Operation& o) {
   return o.kind == record::kind::from_raw ||
          std::ranges::all_of(o.operands, [](const Value& operand) {

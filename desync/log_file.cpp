@@ -157,7 +157,7 @@ Entry LogFile::entry(word block) {
   }
 }
 
-/// Returns the page after which all records of a block are, given the page of its entry. A flush
+/// Returns the first page that may have records of a block, given the page of its entry. A flush
 /// during a block puts one page of entries between its records.
 word LogFile::first_page_of_records(word block, word end) {
   bool may_pass_entries = page(end)[2] == block;

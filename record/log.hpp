@@ -100,8 +100,8 @@ class log {
     begin_block();
   }
   /// Writes the rest and marks the last block as one that ends with the run. Logs may be destroyed
-  /// in any order. In a thread other than the one that opened the log, the destructor writes only
-  /// finished blocks.
+  /// in any order. In another thread, the destructor writes only finished blocks, and the thread
+  /// that opened the log must have ended.
   ~log() {
     log** holder = &detail::current_log;
     while (*holder != nullptr && *holder != this) holder = &(*holder)->older_;
