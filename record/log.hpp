@@ -200,25 +200,32 @@ class log {
     page = {};
   }
 
-  /// Returns the number of a name, from 1, or 0 if there are too many names.
+  /// Returns the number of a name, from 1, or 0 if there are too many names or no memory.
   word number_of(std::string_view name) noexcept {
     name = name.substr(0, max_name_length);
+#if defined(__cpp_exceptions)
     try {
-      const auto found = names_.find(std::string(name));
-      if (found != names_.end()) return found->second;
-      if (names_.size() == max_names) return 0;
-      const word number = names_.size() + 1;
-      names_.emplace(name, number);
-      std::array<word, page_words> page{};
-      page[0] = first_word(page_type::name);
-      page[3] = hash_text(name.data(), name.size());
-      page[4] = put_text(page, name);
-      page[6] = number;
-      append(page);
-      return number;
+      return find_or_write(name);
     } catch (...) {  // no memory
       return 0;
     }
+#else
+    return find_or_write(name);
+#endif
+  }
+  word find_or_write(std::string_view name) {
+    const auto found = names_.find(std::string(name));
+    if (found != names_.end()) return found->second;
+    if (names_.size() == max_names) return 0;
+    const word number = names_.size() + 1;
+    names_.emplace(name, number);
+    std::array<word, page_words> page{};
+    page[0] = first_word(page_type::name);
+    page[3] = hash_text(name.data(), name.size());
+    page[4] = put_text(page, name);
+    page[6] = number;
+    append(page);
+    return number;
   }
 
   void put_remark(kind k, word value) noexcept {
