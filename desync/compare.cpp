@@ -16,6 +16,9 @@ namespace {
 /// How far from its place the counterpart of a record may be. No expression has as many operations.
 constexpr std::size_t order_window = 64;
 
+/// How far from its place most operations of an operand are if the other one is computed first.
+constexpr std::size_t order_of_operands = 8;
+
 /// A block differs if the runs are unequal at its end and at the ends of the blocks after it, up to
 /// this many blocks in all.
 constexpr word later_blocks = 8;
@@ -65,6 +68,15 @@ std::pair<std::size_t, std::size_t> first_unmatched(const std::vector<Record>& a
     return {i, next};
   }
   return {a.size(), next};
+}
+
+/// Tells whether the first records without a match may be one operation with other operands. If one
+/// side has an operation more, the records after it have a match, up to a later difference or to
+/// the end. Then the first record of the other side is far away or of another kind.
+bool are_counterparts(const std::vector<Record>& a, std::size_t i, const std::vector<Record>& b,
+                      std::size_t j) {
+  return i < a.size() && j < b.size() && std::max(i, j) - std::min(i, j) <= order_of_operands &&
+         record::kind_of(a[i].words[0]) == record::kind_of(b[j].words[0]);
 }
 
 /// Tells whether an operation makes a number from something other than numbers.
@@ -125,12 +137,7 @@ void look_into(Comparison& comparison) {
     return;
   }
   auto [i, j] = first_unmatched(a.records, b.records);
-  // If one side has a record more, the records after it have a match, up to a later difference or
-  // to the end. Then the difference is where that record is.
-  if (i == a.records.size() || j == b.records.size() ||
-      record::kind_of(a.records[i].words[0]) != record::kind_of(b.records[j].words[0])) {
-    i = j = std::min(i, j);
-  }
+  if (!are_counterparts(a.records, i, b.records, j)) i = j = std::min(i, j);
   if (i < a.records.size()) a.index = i;
   if (j < b.records.size()) b.index = j;
   if (a.index && b.index) {
