@@ -161,8 +161,8 @@ int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
         support::grouped(entry.first_operation + std::max<desync::word>(entry.operations, 1) - 1));
     if (entry.frame != found.b.entry.frame && !rollback) {
       std::cout << fmt::format(
-          "B is in {} there. If the programs simulate frames again, compare with --rollback.\n",
-          frame_text(found.b.entry.frame));
+          "B is {}{} there. If the programs simulate frames again, compare with --rollback.\n",
+          found.b.entry.frame == record::no_frame ? "" : "in ", frame_text(found.b.entry.frame));
     }
     print_hint(found, rollback);
     return 1;
