@@ -116,26 +116,12 @@ struct Array {
   std::array<Real, chain_length> a{}, b{};
   std::uint32_t run() {
     for (std::size_t i = 0; i < a.size(); ++i) {
-      a[i].value_ = typename Real::plain_type();
-      b[i].value_ = Real::plain_type::from_raw(static_cast<std::int32_t>(i * 77));
-    }
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] = a[i] + b[i];
-    std::uint32_t sum = 0;
-    for (const Real x : a) sum = sum * 31 + static_cast<std::uint32_t>(x.raw());
-    return sum;
-  }
-};
-template <>
-struct Array<q16_16> {
-  std::array<q16_16, chain_length> a{}, b{};
-  std::uint32_t run() {
-    for (std::size_t i = 0; i < a.size(); ++i) {
       a[i] = q16_16();
       b[i] = q16_16::from_raw(static_cast<std::int32_t>(i * 77));
     }
     for (std::size_t i = 0; i < a.size(); ++i) a[i] = a[i] + b[i];
     std::uint32_t sum = 0;
-    for (const q16_16 x : a) sum = sum * 31 + static_cast<std::uint32_t>(x.raw());
+    for (const Real x : a) sum = sum * 31 + static_cast<std::uint32_t>(x.raw());
     return sum;
   }
 };

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "cli/commands.hpp"
 #include "desync/compare.hpp"
@@ -43,8 +44,8 @@ std::string count_of(desync::word number, const char* noun) {
 
 void print_log(const char* side, const LogFile& log) {
   std::string made;
-  for (const char c : log.origin()) made += c == '\n' ? ';' : c;
-  if (made.ends_with(';')) made.pop_back();
+  for (const char c : log.origin()) made += c == '\n' ? "; " : std::string(1, c);
+  if (made.ends_with("; ")) made.resize(made.size() - 2);
   std::cout << fmt::format("{}: {}\n   {}\n", side, support::printable(log.path()),
                            support::printable(made));
   if (!log.is_complete()) {
@@ -64,7 +65,7 @@ std::string mark_at(LogFile& log, const Place& place, std::size_t index) {
   return place.entry.name == 0 ? "" : log.name(place.entry.name);
 }
 
-void print_record(const char* side, LogFile& log, const Place& place, std::size_t index) {
+void print_record(std::string_view side, LogFile& log, const Place& place, std::size_t index) {
   const desync::Record& record = place.records[index];
   const desync::Operation operation = desync::operation_of(record.words);
   std::string text = operation.kind == record::kind::mark
@@ -75,23 +76,22 @@ void print_record(const char* side, LogFile& log, const Place& place, std::size_
     source = fmt::format(" from the double {} ({:016x})", std::bit_cast<double>(*record.input),
                          *record.input);
   }
-  if (record.line != 0 && record::is_operation(operation.kind))
+  if (record.line != 0 && record::is_operation(operation.kind)) {
     source += fmt::format("  {}:{}", log.name(record.file), record.line);
+  }
   std::cout << fmt::format("{} {:>14}  {}{}\n", side, support::grouped(record.operation),
                            support::printable(text), support::printable(source));
 }
 
 void print_side(const char* side, LogFile& log, const Place& place) {
   if (!place.index) {
-    std::cout << fmt::format("{} {:>14}  {}\n", side, "",
-                             place.ends_run ? "the run ends here" : "the frame ends here");
+    std::cout << fmt::format("{} {:>14}  the frame ends here\n", side, "");
     return;
   }
   const std::size_t index = *place.index;
   const std::size_t end = std::min(place.records.size(), index + 1 + context_records);
   for (std::size_t i = index - std::min(index, context_records); i < end; ++i) {
-    print_record(i == index ? (side[0] == 'A' ? "A>" : "B>") : (side[0] == 'A' ? "A " : "B "), log,
-                 place, i);
+    print_record(fmt::format("{}{}", side, i == index ? '>' : ' '), log, place, i);
   }
 }
 
@@ -161,8 +161,8 @@ int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
         support::grouped(entry.first_operation + std::max<desync::word>(entry.operations, 1) - 1));
     if (entry.frame != found.b.entry.frame && !rollback) {
       std::cout << fmt::format(
-          "B is in {} there. If the programs simulate frames again, compare with --rollback.\n",
-          frame_text(found.b.entry.frame));
+          "B is {}{} there. If the programs simulate frames again, compare with --rollback.\n",
+          found.b.entry.frame == record::no_frame ? "" : "in ", frame_text(found.b.entry.frame));
     }
     print_hint(found, rollback);
     return 1;

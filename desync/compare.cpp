@@ -13,8 +13,11 @@ namespace fixproof::desync {
 
 namespace {
 
-/// How many records the search for a record of the other side covers: more than an expression has.
+/// How far from its place the counterpart of a record may be. No expression has as many operations.
 constexpr std::size_t order_window = 64;
+
+/// How far from its place most operations of an operand are if the other one is computed first.
+constexpr std::size_t order_of_operands = 8;
 
 /// A block differs if the runs are unequal at its end and at the ends of the blocks after it, up to
 /// this many blocks in all.
@@ -55,7 +58,7 @@ std::pair<std::size_t, std::size_t> first_unmatched(const std::vector<Record>& a
       has_match[match] = true;
       continue;
     }
-    // Records soon after a[i] may be on the other side before its counterpart.
+    // The other side may have records that follow a[i] before the counterpart of a[i].
     for (std::size_t k = i + 1; k < std::min(a.size(), i + order_window); ++k) {
       const std::size_t later = find(a[k], next);
       if (later == b.size()) continue;
@@ -67,7 +70,16 @@ std::pair<std::size_t, std::size_t> first_unmatched(const std::vector<Record>& a
   return {a.size(), next};
 }
 
-/// Tells whether an operation makes a number from something else than numbers.
+/// Tells whether the first records without a match may be one operation with other operands. If one
+/// side has an operation more, the records after it have a match, up to a later difference or to
+/// the end. Then the first record of the other side is far away or of another kind.
+bool are_counterparts(const std::vector<Record>& a, std::size_t i, const std::vector<Record>& b,
+                      std::size_t j) {
+  return i < a.size() && j < b.size() && std::max(i, j) - std::min(i, j) <= order_of_operands &&
+         record::kind_of(a[i].words[0]) == record::kind_of(b[j].words[0]);
+}
+
+/// Tells whether an operation makes a number from something other than numbers.
 bool enters(const Operation& o) {
   return o.kind == record::kind::from_raw ||
          std::ranges::all_of(o.operands, [](const Value& operand) {
@@ -81,6 +93,7 @@ Verdict judge(const Place& a, const Place& b) {
   const Operation x = operation_of(a.records[i].words);
   const Operation y = operation_of(b.records[j].words);
   if (!record::is_operation(x.kind) || !record::is_operation(y.kind)) return Verdict::path;
+  if (x == y) return Verdict::path;  // one side has the operation more often
   const bool is_same_operation = x.kind == y.kind && x.type == y.type;
   if (is_same_operation && x.operands == y.operands) {
     const bool is_read = x.kind == record::kind::convert || x.kind == record::kind::from_text;
@@ -124,18 +137,16 @@ void look_into(Comparison& comparison) {
     return;
   }
   auto [i, j] = first_unmatched(a.records, b.records);
-  // If one side repeats a record, all records of the other side have a match. The difference is at
-  // the repeated one.
-  if (i == a.records.size() && j < i) i = j;
-  if (j == b.records.size() && i < j) j = i;
+  if (!are_counterparts(a.records, i, b.records, j)) i = j = std::min(i, j);
   if (i < a.records.size()) a.index = i;
   if (j < b.records.size()) b.index = j;
   if (a.index && b.index) {
     comparison.verdict = judge(a, b);
     return;
   }
-  const Place& shorter = a.records.size() < b.records.size() ? a : b;
-  comparison.verdict = shorter.ends_run ? Verdict::ended : Verdict::path;
+  const bool is_cut = (!a.index && a.ends_run) || (!b.index && b.ends_run);
+  const Place& shorter = a.index ? b : a;
+  comparison.verdict = is_cut ? Verdict::ended : Verdict::path;
   comparison.operations = shorter.entry.first_operation + shorter.entry.operations;
 }
 
@@ -224,11 +235,11 @@ Comparison compare_last_frames(LogFile& a, LogFile& b) {
       if (sum_a != sum_b && !differs) differs = i;
     }
     if (differs) {
-      comparison.a = place_of(a, in_a.first + *differs, in_a.end);
-      comparison.b = place_of(b, in_b.first + *differs, in_b.end);
-      look_into(comparison);
-      if (comparison.verdict != Verdict::ended) return comparison;
-      comparison = {Verdict::equal, comparison.blocks, 0, comparison.steps, {}, {}};
+      Comparison here = comparison;
+      here.a = place_of(a, in_a.first + *differs, in_a.end);
+      here.b = place_of(b, in_b.first + *differs, in_b.end);
+      look_into(here);
+      if (here.verdict != Verdict::ended) return here;
       continue;
     }
     comparison.operations += operations;

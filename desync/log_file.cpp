@@ -125,10 +125,6 @@ word LogFile::page_of_block(word block) {
     const word middle = low + (high - low) / 2;
     (page(middle)[2] <= block ? low : high) = middle;
   }
-  for (; low > 0; --low) {
-    const Page& found = page(low);
-    if (type_of(found[0]) == page_type::blocks) break;
-  }
   const Page& found = page(low);
   if (type_of(found[0]) != page_type::blocks || block < found[2] ||
       block - found[2] >= (found[4] & 0xffffffff)) {
@@ -161,7 +157,7 @@ Entry LogFile::entry(word block) {
   }
 }
 
-/// Returns the page after which all records of a block are, given the page of its entry. A flush
+/// Returns the first page that may have records of a block, given the page of its entry. A flush
 /// during a block puts one page of entries between its records.
 word LogFile::first_page_of_records(word block, word end) {
   bool may_pass_entries = page(end)[2] == block;
@@ -192,7 +188,7 @@ std::vector<Record> LogFile::records(word block) {
         fail(fmt::format("page {} has a record of an impossible length", i));
       }
       at += length;
-      const auto kind = static_cast<record::kind>(*words & record::tag_kind);
+      const record::kind kind = record::kind_of(*words);
       if (record::text_of(kind) == nullptr) {
         fail(fmt::format("page {} has a record of the unknown kind {}", i,
                          *words & record::tag_kind));

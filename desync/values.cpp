@@ -61,7 +61,7 @@ Operation short_operation(const std::vector<word>& words, Operation operation) {
 Operation operation_of(const std::vector<word>& words) {
   Operation operation;
   const word first = words[0];
-  operation.kind = static_cast<kind>(first & record::tag_kind);
+  operation.kind = record::kind_of(first);
   operation.type = static_cast<std::uint32_t>(first) & ~std::uint32_t{0xff};
   if (!record::is_operation(operation.kind)) {
     operation.operands.push_back({integer_type, words[1]});

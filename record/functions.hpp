@@ -161,9 +161,9 @@ template <class N>
 /// \name Angles in tenths of a degree
 /// \{
 
-/// As those of plain numbers, which are templates for every type. The compiler takes these, because
-/// of two functions with the same parameters it takes the one with more constraints. So there can
-/// be no parameter for the place.
+/// As those of plain numbers, which are templates that take any type, and so recorded ones. Of two
+/// templates with the same parameters, the compiler takes the one with more constraints, which are
+/// these. A parameter for the place would make the parameters differ.
 template <class R>
 requires record::detail::is_recorded<R>
 [[nodiscard]] constexpr cos_sin<R> sin_cos_of_tenths(std::integral auto angle) noexcept {

@@ -27,9 +27,9 @@ constexpr std::uint64_t folded_product(std::uint64_t a, std::uint64_t b) noexcep
 }
 
 /// Returns the hash of a sequence of pairs of words, extended by one pair. The factor 9 makes the
-/// hash depend on the order. The product does not depend on the hash, so each pair adds only two
-/// cycles to a chain of hashes. The keys have many bits set in both halves, so that small operands
-/// also spread over the whole hash.
+/// hash depend on the order. The product does not depend on the hash, so in a chain of hashes only
+/// the multiplication by 9 and the sum wait for the hash before. The keys have many bits set in
+/// both halves, so that small operands also spread over the whole hash.
 constexpr std::uint64_t next_hash(std::uint64_t hash, std::uint64_t first,
                                   std::uint64_t second) noexcept {
   return hash * 9 + folded_product(first ^ 0x9e3779b97f4a7c00, second ^ 0xd1b54a32d192ed03);

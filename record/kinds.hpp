@@ -7,9 +7,9 @@
 
 namespace fixproof::record {
 
-// The numbers are part of the format of the log (docs/recorder.md): never change one, and add new
-// operations after the last one.
-// NOLINTBEGIN(cppcoreguidelines-macro-usage): makes an enumeration and its names
+// The numbers are part of the format of the log (docs/recorder.md): never change one. New
+// operations get numbers from 117 to 122. NOLINTBEGIN(cppcoreguidelines-macro-usage): makes an
+// enumeration and its names
 /// Calls X(number, name, text) for every kind of record.
 #define FIXPROOF_RECORD_KINDS(X)                                        \
   X(1, add, "a + b")                                                    \

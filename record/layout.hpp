@@ -105,6 +105,10 @@ inline constexpr std::uint32_t type_code =
     static_cast<std::uint32_t>(Number::fraction_bits) << tag_fraction_shift |
     code_of(Number::rules) << tag_policy_shift;
 
+/// Returns the kind of a record whose first word is `first`. Another program may have written one
+/// that text_of() does not know.
+constexpr kind kind_of(word first) noexcept { return static_cast<kind>(first & tag_kind); }
+
 /// Returns the number of words of a record whose first word is `first`. A short record has 2 words
 /// for numbers of at most 32 bits, and 4 for 64 bits. A long record has its types, two in a word,
 /// and its values, filled up to an even number.

@@ -100,8 +100,8 @@ class log {
     begin_block();
   }
   /// Writes the rest and marks the last block as one that ends with the run. Logs may be destroyed
-  /// in any order. In a thread other than the one that opened the log, the destructor writes only
-  /// finished blocks.
+  /// in any order. In another thread, the destructor writes only finished blocks, and the thread
+  /// that opened the log must have ended.
   ~log() {
     log** holder = &detail::current_log;
     while (*holder != nullptr && *holder != this) holder = &(*holder)->older_;
@@ -143,9 +143,8 @@ class log {
 
   void mark(std::string_view name) noexcept {
     name = name.substr(0, max_name_length);
-    const word number = number_of(name);
+    name_ = number_of(name);  // before the record, because that may begin the next block
     put_remark(kind::mark, hash_text(name.data(), name.size()));
-    name_ = number;
   }
 
   void confirm(std::int64_t number) noexcept { confirmed_ = number; }
@@ -201,25 +200,32 @@ class log {
     page = {};
   }
 
-  /// Returns the number of a name, from 1, or 0 if there are too many names.
+  /// Returns the number of a name, from 1, or 0 if there are too many names or no memory.
   word number_of(std::string_view name) noexcept {
     name = name.substr(0, max_name_length);
+#if defined(__cpp_exceptions)
     try {
-      const auto found = names_.find(std::string(name));
-      if (found != names_.end()) return found->second;
-      if (names_.size() == max_names) return 0;
-      const word number = names_.size() + 1;
-      names_.emplace(name, number);
-      std::array<word, page_words> page{};
-      page[0] = first_word(page_type::name);
-      page[3] = hash_text(name.data(), name.size());
-      page[4] = put_text(page, name);
-      page[6] = number;
-      append(page);
-      return number;
+      return find_or_write(name);
     } catch (...) {  // no memory
       return 0;
     }
+#else
+    return find_or_write(name);
+#endif
+  }
+  word find_or_write(std::string_view name) {
+    const auto found = names_.find(std::string(name));
+    if (found != names_.end()) return found->second;
+    if (names_.size() == max_names) return 0;
+    const word number = names_.size() + 1;
+    names_.emplace(name, number);
+    std::array<word, page_words> page{};
+    page[0] = first_word(page_type::name);
+    page[3] = hash_text(name.data(), name.size());
+    page[4] = put_text(page, name);
+    page[6] = number;
+    append(page);
+    return number;
   }
 
   void put_remark(kind k, word value) noexcept {
@@ -308,8 +314,8 @@ class log {
   page_file file_;
   full_range full_;
   log* older_;  ///< The next older log of this thread, or null.
-  word hash_ =
-      0;  ///< What `current_hash` and `current_left` become when this log is current again.
+  /// What `current_hash` and `current_left` become when this log is current again.
+  word hash_ = 0;
   word left_ = 0;
 
   std::array<word, page_words> page_{};  ///< The entries of finished blocks.

@@ -45,8 +45,8 @@ constexpr value value_of(Int x) noexcept {
     return {class_code(value_class::boolean), x ? word{1} : word{0}};
   } else {
     // `long` has 32 bits on some machines, so every integer is recorded with 64 bits.
-    return {integer_code(8, !std::in_range<std::int64_t>(x)) | class_code(value_class::integer),
-            bits_of(x)};
+    const bool is_above_signed = x > 0 && static_cast<std::int64_t>(x) < 0;
+    return {integer_code(8, is_above_signed) | class_code(value_class::integer), bits_of(x)};
   }
 }
 constexpr value value_of(digest x) noexcept { return {class_code(value_class::digest), x.hash}; }
@@ -112,10 +112,6 @@ inline void note_short(place from, word a, word b, Number result) noexcept {
   }
 }
 
-constexpr bool fits_in_32_bits(std::integral auto x) noexcept {
-  return std::in_range<std::int32_t>(x);
-}
-
 /// Records a number that comes from outside.
 template <kind K, class Number>
 inline void note_input(place from, Number x) noexcept {
@@ -133,7 +129,7 @@ inline void note_exact(place from, const Result& result, const Operands&... oper
       return;
     } else if constexpr (has_integer(K)) {
       const auto write = [&](Number a, auto b) {
-        if (!fits_in_32_bits(b)) return false;
+        if (!std::in_range<std::int32_t>(b)) return false;
         note_short<K>(from, bits_of(a.raw()), bits_of(b), result);
         return true;
       };
@@ -164,15 +160,14 @@ inline void note_term(place from, const Operands&... operands) noexcept {
 /// Records an operation that threw.
 template <kind K, class Number, class... Operands>
 inline void note_throw(place from, const Operands&... operands) noexcept {
+  constexpr word first = type_code<Number> | static_cast<word>(K) | long_threw;
+  constexpr std::array<value, 0> nothing{};
   if constexpr ((std::floating_point<Operands> || ...)) {
     (put_input(static_cast<double>(operands)), ...);
-    note_long(word{type_code<Number>} | static_cast<word>(K) | long_threw, from,
-              std::array<value, 0>{}, std::array<value, 0>{});
-    return;
+    note_long(first, from, nothing, nothing);
   } else {
     const std::array<value, sizeof...(Operands)> values{value_of(operands)...};
-    note_long(word{type_code<Number>} | static_cast<word>(K) | long_threw, from, values,
-              std::array<value, 0>{});
+    note_long(first, from, values, nothing);
   }
 }
 

@@ -18,8 +18,8 @@ namespace fixproof::record {
 class page_file {
  public:
   explicit page_file(const char* path) noexcept : file_(std::fopen(path, "wb")) {
-    // Without a buffer, every page is written at once, and a killed program leaves all of its
-    // pages.
+    // Without a buffer, every page is written at once, so that no page is lost if the program is
+    // killed.
     if (file_ != nullptr) std::setvbuf(file_, nullptr, _IONBF, 0);
   }
   ~page_file() {

@@ -4,7 +4,7 @@
 ///
 ///     #include "record/recorded.hpp"
 ///
-///     using real = fixproof::recorded<fixproof::q16_16>;    // the one change to a program
+///     using real = fixproof::recorded<fixproof::q16_16>;    // before: fixproof::q16_16
 ///     const fixproof::record::log log("this-machine.log");  // until the end of its scope
 ///     for (int i = 0; i < frames; ++i) {
 ///       fixproof::record::frame(i);
@@ -19,7 +19,7 @@
 ///
 /// This is a folder of its own and not a header of fixed/, because it writes files and has state
 /// for each thread. Like fixed/, it needs only C++20 and the standard library. It covers every
-/// function of fixed/ except those of fixed/eigen.hpp, and not batch/.
+/// function of fixed/ except those of fixed/eigen.hpp, and none of batch/.
 #pragma once
 
 #include "fixed/angle.hpp"

@@ -18,6 +18,7 @@ struct full_range {
   [[nodiscard]] static constexpr full_range from_text(std::string_view /*text*/) noexcept {
     return {};
   }
+  [[nodiscard]] std::string to_text() const { return "nothing"; }
 };
 
 /// See record/options.hpp. It does not read the environment.

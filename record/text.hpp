@@ -2,6 +2,7 @@
 /// Recorded numbers in the standard library: text, formatters, limits, hashes and common types.
 #pragma once
 
+#include <bit>
 #include <charconv>
 #include <cstddef>
 #include <functional>
@@ -12,6 +13,7 @@
 #include <string>
 #include <type_traits>
 
+#include "fixed/bytes.hpp"
 #include "fixed/fixed.hpp"
 #include "record/number.hpp"
 

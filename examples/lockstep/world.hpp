@@ -8,7 +8,7 @@
 
 #include "record/recorded.hpp"
 
-// The one change: before, this was `using real = fixproof::q16_16;`.
+// Before: `using real = fixproof::q16_16;`.
 using real = fixproof::recorded<fixproof::q16_16>;
 
 struct Ball {

@@ -2,9 +2,11 @@
 // and say what differs. Equal runs must not differ.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "desync/compare.hpp"
 #include "tests/record/sim.hpp"
@@ -215,6 +217,40 @@ TEST_F(Runs, ARepeatedOperation) {
   }
 }
 
+/// The operation is soon before the end of a frame, and the next frame does not depend on it.
+TEST_F(Runs, OneMoreOperationThatChangesNoOther) {
+  using recorder_test::real;
+  const auto run = [](bool more, bool soon) {
+    record::frame(0);
+    real sum;
+    for (int i = 1; i < 20; ++i) sum += q16_16(i);
+    if (more) (void)real::from_raw(5);
+    record::frame(1);
+    for (int i = 1; i < (soon ? 4 : 20); ++i) sum *= q16_16(i);
+    // Another difference: of another kind than the operation, or far from it.
+    (void)(soon ? -real(q16_16(more ? 6 : 7)) : real::from_raw(more ? 6 : 7));
+  };
+  for (const bool soon : {false, true}) {
+    const auto [one, other] = compare_short(
+        a(), b(), [&] { run(false, soon); }, [&] { run(true, soon); });
+    for (const Comparison& found : {one, other}) {
+      EXPECT_EQ(found.verdict, Verdict::path) << soon;
+      expect_at(found, 19);
+    }
+  }
+}
+
+TEST_F(Runs, ARepeatedOperationAmongOthersInAnotherOrder) {
+  const recorder_test::real x(q16_16(2));
+  const auto [one, other] = compare_short(
+      a(), b(), [&] { (void)-x, (void)(x + x), (void)sqrt(x); },
+      [&] { (void)(x + x), (void)(x + x), (void)-x, (void)floor(x); });
+  for (const Comparison& found : {one, other}) {
+    EXPECT_EQ(found.verdict, Verdict::path);
+    expect_at(found, 1);
+  }
+}
+
 TEST_F(Runs, AnotherType) {
   const auto [one, other] = compare_short(
       a(), b(), [] { (void)(recorded<q16_16>(q16_16(1)) + recorded<q16_16>(q16_16(2))); },
@@ -265,80 +301,6 @@ TEST_F(Runs, ADoubleThatDiffersIsShown) {
   EXPECT_EQ(found.b.records.at(0).input, std::bit_cast<std::uint64_t>(0.1 + 1e-4));
 }
 
-/// Simulates a game that goes back. It guesses the inputs of the other player, and simulates frames
-/// again after wrong guesses.
-void play(const std::string& path, int late, int frames, int wrong_frame = -1) {
-  const record::log log(path, {.program = "rollback", .full = {true, 20, 20}});
-  using real = recorder_test::real;
-  std::vector<real> states{real(1)};
-  const auto simulate = [&](int frame, int input) {
-    record::frame(frame);
-    real x = states.at(static_cast<std::size_t>(frame));
-    for (int i = 0; i < 500; ++i) x = x * 3 + real::from_raw(input + i);
-    if (frame == wrong_frame) x.value_ = x.plain() + q16_16::from_raw(1);
-    x += real::from_raw(7);
-    states.resize(static_cast<std::size_t>(frame) + 1);
-    states.push_back(x);
-  };
-  const auto input_of = [](int frame) { return frame % 7; };
-  for (int frame = 0; frame < frames; ++frame) {
-    simulate(frame, frame % late == 0 ? 0 : input_of(frame));
-    if (frame % late != late - 1 && frame != frames - 1) continue;
-    const int back = frame / late * late;
-    for (int again = back; again <= frame; ++again) simulate(again, input_of(again));
-    record::confirm(frame);
-  }
-}
-
-TEST_F(Runs, RollbacksComparedByTheLastSimulation) {
-  play(a(), 3, 60);
-  play(b(), 5, 60);
-  EXPECT_NE(compare().verdict, Verdict::equal);
-  LogFile first(a());
-  LogFile second(b());
-  const Comparison found = desync::compare_last_frames(first, second);
-  EXPECT_EQ(found.verdict, Verdict::equal);
-  EXPECT_EQ(found.blocks, 60U);
-}
-
-TEST_F(Runs, ADifferenceInARollback) {
-  play(a(), 3, 60);
-  play(b(), 5, 60, 20);
-  LogFile first(a());
-  LogFile second(b());
-  const Comparison found = desync::compare_last_frames(first, second);
-  EXPECT_EQ(found.verdict, Verdict::operands);
-  EXPECT_EQ(found.a.entry.frame, 20);
-  const auto operation = desync::operation_of(found.a.records.at(*found.a.index).words);
-  EXPECT_EQ(operation.kind, record::kind::add);
-}
-
-/// Records a frame of `operations` operations in full, and a short one after it.
-void play_long_frame(const std::string& path, int operations) {
-  const record::log log(path, {.full = {.is_of_frames = true, .first = 7, .last = 7}});
-  record::frame(7);
-  recorder_test::real sum;
-  for (int i = 0; i < operations; ++i) sum += recorder_test::real();
-  record::frame(8);
-  sum += sum;
-}
-
-TEST_F(Runs, AFrameThatGoesOnAfterAFullBlock) {
-  // The frame's own record and 1,023 operations fill a block.
-  play_long_frame(a(), 1023);
-  play_long_frame(b(), 1025);
-  for (const bool swapped : {false, true}) {
-    LogFile first(swapped ? b() : a());
-    LogFile second(swapped ? a() : b());
-    const Comparison found = desync::compare_last_frames(first, second);
-    EXPECT_EQ(found.verdict, Verdict::path);
-    EXPECT_EQ(found.a.index.has_value(), swapped);
-    const desync::Place& longer = swapped ? found.a : found.b;
-    ASSERT_TRUE(longer.index);
-    EXPECT_EQ(longer.records.at(*longer.index).operation, 1023U);
-  }
-}
-
 TEST_F(Runs, TheLongestNamesAreCutAndFound) {
   const std::string name(300, 'x');
   {
@@ -349,22 +311,6 @@ TEST_F(Runs, TheLongestNamesAreCutAndFound) {
   LogFile log(a());
   EXPECT_EQ(log.name(1), name.substr(0, 255));
   EXPECT_EQ(log.name_with_hash(log.records(0).at(1).name), name.substr(0, 255));
-}
-
-TEST_F(Runs, FramesThatAreNotConfirmedDoNotCount) {
-  for (const auto& [path, guess] : {std::pair(a(), 1), std::pair(b(), 2)}) {
-    const record::log log(path);
-    for (int frame = 0; frame < 4; ++frame) {
-      record::frame(frame);
-      (void)(recorder_test::real::from_raw(frame < 3 ? 5 : guess) * 2);
-      if (frame == 2) record::confirm(2);
-    }
-  }
-  LogFile first(a());
-  LogFile second(b());
-  const Comparison found = desync::compare_last_frames(first, second);
-  EXPECT_EQ(found.verdict, Verdict::equal);
-  EXPECT_EQ(found.blocks, 3U);
 }
 
 }  // namespace

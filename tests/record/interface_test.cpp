@@ -342,6 +342,7 @@ TYPED_TEST(Functions, OfAtMost32Bits) {
   RECORDS(sin_of_tenths<T>(301));
   RECORDS(cos_of_tenths<T>(301));
   RECORDS(sin_cos_of_tenths<T>(301));
+  RECORDS(sin_of_tenths<T>('z'));
   RECORDS(exp(a));
   RECORDS(exp2(a));
   RECORDS(expm1(a));

@@ -201,6 +201,39 @@ TEST_F(Log, HasNoOldNameForAMarkWithoutRoom) {
   EXPECT_EQ(log.entry(log.blocks() - 1).name, 0U);
 }
 
+TEST_F(Log, NamesABlockAfterTheMarkThatEndsTheOneBefore) {
+  {
+    const record::log log(path("names.log"));
+    record::mark("old");
+    add(1022);
+    record::mark("new");  // record 1,024
+    add(1);
+  }
+  LogFile log(path("names.log"));
+  ASSERT_EQ(log.blocks(), 2U);
+  EXPECT_EQ(log.name(log.entry(1).name), "new");
+}
+
+TEST_F(Log, HasAPositionThatDependsOnlyOnTheRecords) {
+  for (const int count : {0, 1, 1000, 1023, 1024, 5000}) {
+    record::position with_hashes;
+    for (const bool is_full : {false, true}) {
+      const std::int64_t last = is_full ? 1 : -1;
+      const record::log log(path("where.log"), {.full = {.first = 0, .last = last}});
+      record::frame(3);
+      add(count);
+      const record::position here = record::where();
+      EXPECT_EQ(here.records, static_cast<std::uint64_t>(count) + 1);
+      if (is_full) {
+        EXPECT_EQ(here, with_hashes) << count;
+      }
+      with_hashes = here;
+      add(1);
+      EXPECT_NE(record::where().hash, here.hash);
+    }
+  }
+}
+
 TEST_F(Log, KeepsTheBytesOfNames) {
   const std::string umlaut = "K\xc3\xb6ln";
   const std::string other = "\xff\xfe\x01";  // no UTF-8
