@@ -118,7 +118,8 @@ start no program. It runs on this processor, or on Unicorn if the processor cann
 --frame says where the operands and the result are. Name the registers in the order of the
 operands, a pair with its upper half first, a pointer in brackets. In the stack conventions, the
 routine must preserve (E)BP, (E)SI and (E)DI, and also EBX in 32-bit code. After registers, `keeps`
-names those that it must preserve.
+names those that it must preserve. It must always leave the direction flag clear, the x87 stack
+empty and the x87's control word as it was.
   mul, div, add, sub  two numbers          -> a number
   sqrt                a number             -> a number
   muldiv              a, b, c              -> a * b / c

@@ -58,6 +58,21 @@ std::string unsteady_text(const judge::Verdict& verdict) {
       operands);
 }
 
+/// Returns what a call breaks, such as "does not keep si and leaves the direction flag set".
+std::string broken_text(unsigned broken, int bits) {
+  using judge::Call;
+  std::string text;
+  const auto add = [&text](const std::string& what) {
+    text += (text.empty() ? "" : " and ") + what;
+  };
+  const unsigned registers = broken & ((1U << x86model::register_count) - 1);
+  if (registers != 0) add("does not keep " + register_names(registers, bits));
+  if ((broken & Call::sets_direction) != 0) add("leaves the direction flag set");
+  if ((broken & Call::fills_x87) != 0) add("leaves values on the x87 stack");
+  if ((broken & Call::controls_x87) != 0) add("changes the control word of the x87");
+  return text;
+}
+
 }  // namespace
 
 std::string register_names(unsigned mask, int bits) {
@@ -134,10 +149,10 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
   }
   text += '\n';
   if (verdict.not_preserved) {
-    text += fmt::format("BREAKS its convention in {} {}: it does not keep {}, first for {}\n",
+    text += fmt::format("BREAKS its convention in {} {}: it {}, first for {}\n",
                         support::grouped(verdict.not_preserved_count),
                         verdict.not_preserved_count == 1 ? "case" : "cases",
-                        register_names(verdict.not_preserved->registers, bits),
+                        broken_text(verdict.not_preserved->broken, bits),
                         verdict.not_preserved->operands);
   }
   if (verdict.unsteady) text += unsteady_text(verdict);

@@ -38,7 +38,7 @@ Incident incident(const Subject& subject, std::span<const std::uint32_t> words,
   return {.words = {words.begin(), words.end()},
           .operands = text_of_operands(subject.variant, words),
           .ending = answer.ending,
-          .registers = answer.broken};
+          .broken = answer.broken};
 }
 
 bool same_result(const Answer& a, const Answer& b) {

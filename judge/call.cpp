@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "x86model/flags.hpp"
-
 namespace fixproof::judge {
 
 namespace {
@@ -189,6 +187,10 @@ unsigned Call::broken(const Registers& left) const {
   }
   const RegisterName sp{Register::sp, image_.bits == 32 ? Size::dword : Size::word};
   if (left.read(sp) != popped_) mask |= 1U << sp_number;
+  constexpr machine_code::X87 fresh;
+  if ((left.flags & direction_flag) != 0) mask |= sets_direction;
+  if (left.x87.tags != fresh.tags) mask |= fills_x87;
+  if (left.x87.control != fresh.control) mask |= controls_x87;
   return mask;
 }
 

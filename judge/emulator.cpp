@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <unicorn/unicorn.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <new>
 #include <utility>
 
 #include "judge/machine.hpp"
-#include "x86model/flags.hpp"
 
 namespace fixproof::judge {
 
@@ -82,6 +82,8 @@ class Emulator final : public Machine {
     const uc_err error =
         uc_emu_start(engine_, image_.code_at(image_.entry), ~std::uint64_t{0}, 0, 0);
     registers = read_registers();
+    registers.x87 = {read_word(UC_X86_REG_FPCW), read_word(UC_X86_REG_FPTAG)};
+    initialize_floating_point();
     std::uint64_t at = 0;
     check(uc_reg_read(engine_, image_.bits == 16 ? UC_X86_REG_IP : UC_X86_REG_EIP, &at),
           "registers");
@@ -132,11 +134,19 @@ class Emulator final : public Machine {
     check(uc_reg_write(engine_, number, &value), "registers");
   }
 
+  std::uint16_t read_word(int number) {
+    std::uint16_t value = 0;
+    check(uc_reg_read(engine_, number, &value), "registers");
+    return value;
+  }
+
   /// Gives x87 and SSE the state of a new process on this processor. Unicorn starts with control
   /// words of 0: single precision, and no exception masked.
   void initialize_floating_point() {
-    write(UC_X86_REG_FPCW, 0x37F);
-    write(UC_X86_REG_FPTAG, 0xFFFF);  // all registers of the stack are empty
+    constexpr machine_code::X87 fresh;
+    write(UC_X86_REG_FPCW, fresh.control);
+    write(UC_X86_REG_FPSW, 0);
+    write(UC_X86_REG_FPTAG, fresh.tags);
     write(UC_X86_REG_MXCSR, 0x1F80);
   }
 
@@ -159,7 +169,7 @@ class Emulator final : public Machine {
         "registers");
     Registers registers;
     std::copy(values.begin(), values.end() - 1, registers.general.begin());
-    registers.flags = values.back() & x86model::arithmetic_flags;
+    registers.flags = values.back() & observed_flags;
     return registers;
   }
 

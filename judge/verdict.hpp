@@ -28,7 +28,7 @@ struct Incident {
   std::vector<std::uint32_t> words{};
   std::string operands{};  ///< the words as text
   Ending ending{};
-  unsigned registers = 0;  ///< see Call::broken()
+  unsigned broken = 0;  ///< see Call::broken()
 };
 
 struct Verdict {

@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <new>
 #include <vector>
@@ -44,6 +45,14 @@ class FaultsOnly : private boost::noncopyable {
   stack_t previous_{};
   sigset_t blocked_{};
 };
+
+/// Returns the state of the x87, then gives x87 and SSE that of a new process.
+X87 renew_floating_point() {
+  constexpr std::uint32_t sse_control = 0x1F80;
+  std::array<std::uint16_t, 14> environment{};  // each of its words has 32 bits
+  asm volatile("fnstenv %0\n\tfninit\n\tldmxcsr %1" : "=m"(environment) : "m"(sse_control));
+  return {.control = environment[0], .tags = environment[4]};
+}
 
 }  // namespace
 
@@ -96,8 +105,11 @@ int HostSegment::call(Registers& registers, std::uint32_t entry) const {
                    .reserved = 0,
                    .landing = parts_->landing};
   std::copy(registers.general.begin(), registers.general.end(), std::begin(call.registers));
+  renew_floating_point();  // this process may have raised flags of SSE
   const int signal = call_segment(call);
   std::copy(std::begin(call.registers), std::end(call.registers), registers.general.begin());
+  registers.flags = call.flags;
+  registers.x87 = renew_floating_point();
   return signal;
 }
 
