@@ -40,9 +40,7 @@ std::string unsteady_text(const judge::Verdict& verdict) {
   if (const auto& state = verdict.state) {
     return fmt::format(
         "STATEFUL: for {} the result depends on earlier calls: {} at {:04x}h reads {:x}h, and {} "
-        "at "
-        "{:04x}h writes it. No rule is tried: the operands alone do not decide the "
-        "result\n",
+        "at {:04x}h writes it. No rule is tried: the operands alone do not decide the result\n",
         operands, state->reads.text, state->reads.at, state->address, state->writes.text,
         state->writes.at);
   }

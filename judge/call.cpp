@@ -30,8 +30,6 @@ std::vector<Place> places_of_results(const Frame& frame, int result_bits, int co
   return {{{{Register::dx, size}, ax}}};
 }
 
-int bits_of(Size size) { return size == Size::byte ? 8 : size == Size::word ? 16 : 32; }
-
 }  // namespace
 
 void store(std::uint8_t* to, std::uint32_t value, int bytes) {
@@ -123,7 +121,7 @@ void Call::load_registers(Registers& registers, std::span<const std::uint32_t> w
         place.is_pointer ? data_offsets_[i] : number_at(words, first_word_[i], parameters_[i]);
     for (auto part = place.parts.rbegin(); part != place.parts.rend(); ++part) {
       registers.write(*part, static_cast<std::uint32_t>(value));
-      value >>= static_cast<unsigned>(bits_of(part->size));
+      value >>= static_cast<unsigned>(bits_of(*part));
     }
   }
 }
@@ -158,7 +156,7 @@ void Call::leave(const std::uint8_t* memory, const Registers& registers,
   for (const Place& place : results_) {
     std::uint64_t value = 0;
     for (const RegisterName& part : place.parts) {
-      value = value << static_cast<unsigned>(bits_of(part.size)) | registers.read(part);
+      value = value << static_cast<unsigned>(bits_of(part)) | registers.read(part);
     }
     const int bits = variant_.format.word_bits;
     if (bits < 64) value &= (std::uint64_t{1} << bits) - 1;

@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <boost/dll/shared_library.hpp>
+#include <boost/noncopyable.hpp>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +36,7 @@ using cases::Operation;
 constexpr std::string_view array_suffix = "[]";
 
 /// While one exists, exit() is a failure: a function must not end the verification with status 0.
-class Calling {
+class Calling : private boost::noncopyable {
  public:
   Calling() {
     static const int registered = std::atexit([] {
@@ -47,10 +48,6 @@ class Calling {
     ++running;
   }
   ~Calling() { --running; }
-  Calling(const Calling&) = delete;
-  Calling(Calling&&) = delete;
-  Calling& operator=(const Calling&) = delete;
-  Calling& operator=(Calling&&) = delete;
 
  private:
   static inline std::atomic<int> running = 0;
