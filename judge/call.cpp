@@ -119,9 +119,9 @@ void Call::load_registers(Registers& registers, std::span<const std::uint32_t> w
     const Place& place = frame_.in[i];
     std::uint64_t value =
         place.is_pointer ? data_offsets_[i] : number_at(words, first_word_[i], parameters_[i]);
-    for (auto part = place.parts.rbegin(); part != place.parts.rend(); ++part) {
-      registers.write(*part, static_cast<std::uint32_t>(value));
-      value >>= static_cast<unsigned>(bits_of(*part));
+    for (std::size_t part = place.parts.size(); part-- > 0;) {
+      registers.write(place.parts[part], static_cast<std::uint32_t>(value));
+      value >>= static_cast<unsigned>(bits_of(place.parts[part]));
     }
   }
 }
