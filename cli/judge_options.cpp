@@ -48,7 +48,8 @@ void JudgeOptions::add_to(CLI::App& command) {
       .add_option(
           "--as", operation,
           "what the routine computes: mul, div, sqrt, add, sub, muldiv, sin_cos, transform, a "
-          "function of docs/functions.md, or ? to find out; required unless --list is given")
+          "function of docs/functions.md, or ? to find out; required unless --list or "
+          "--against-listing is given")
       ->check(not_empty());
   command
       .add_option("--frame", frame,
