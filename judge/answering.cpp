@@ -166,7 +166,7 @@ void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& v
     if (call && ended_well(call->answer) && verdict.machine == On::processor) {
       const Downfall downfall = pass->runner().downfall();
       verdict = Verdict{.machine = On::unicorn, .rules = verdict.rules};
-      verdict.note = fmt::format("on this processor {}, on Unicorn it does not",
+      verdict.note = fmt::format("{} on this processor, but not on Unicorn",
                                  downfall == Downfall::none ? "it faults" : why(downfall));
       begin();
       pass = std::make_unique<Pass>(subject, options, verdict, On::unicorn);

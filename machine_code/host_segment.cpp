@@ -2,17 +2,17 @@
 
 #if defined(__linux__) && defined(__x86_64__) && !defined(__ILP32__)
 
-#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigaltstack() is POSIX's
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigfillset() is POSIX's
 #include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <new>
-#include <vector>
 
 #include "machine_code/enter_segment.hpp"
 #include "machine_code/faults.hpp"
+#include "machine_code/handler_stack.hpp"
 #include "machine_code/low_memory.hpp"
 #include "machine_code/processor.hpp"
 #include "x86model/flags.hpp"
@@ -25,24 +25,15 @@ namespace {
 class FaultsOnly : private boost::noncopyable {
  public:
   FaultsOnly() {
-    stack_t own{};
-    own.ss_sp = stack_.data();
-    own.ss_size = stack_.size();
-    if (sigaltstack(&own, &previous_) != 0) throw refused("sigaltstack");
     sigset_t blocked;
     sigfillset(&blocked);
     for (const int fault : {SIGFPE, SIGSEGV, SIGBUS, SIGILL, SIGTRAP}) sigdelset(&blocked, fault);
     pthread_sigmask(SIG_BLOCK, &blocked, &blocked_);
   }
-  ~FaultsOnly() {
-    pthread_sigmask(SIG_SETMASK, &blocked_, nullptr);
-    sigaltstack(&previous_, nullptr);
-  }
+  ~FaultsOnly() { pthread_sigmask(SIG_SETMASK, &blocked_, nullptr); }
 
  private:
-  /// The largest register files of x86-64 take 11 KiB of it.
-  std::vector<std::uint8_t> stack_ = std::vector<std::uint8_t>(0x10000);
-  stack_t previous_{};
+  HandlerStack stack_;
   sigset_t blocked_{};
 };
 
