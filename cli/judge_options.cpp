@@ -120,7 +120,7 @@ start no program. It runs on this processor, or on Unicorn if the processor cann
 operands, a pair with its upper half first, a pointer in brackets. In the stack conventions, the
 routine must preserve (E)BP, (E)SI and (E)DI, and also EBX in 32-bit code. After registers, `keeps`
 names those that it must preserve. It must always leave the direction flag clear, the x87 stack
-empty and the x87's control word as it was.
+empty, and DS, SS and the x87's control word as they were.
   mul, div, add, sub  two numbers          -> a number
   sqrt                a number             -> a number
   muldiv              a, b, c              -> a * b / c

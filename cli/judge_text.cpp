@@ -68,6 +68,7 @@ std::string broken_text(unsigned broken, int bits) {
   if ((broken & Call::sets_direction) != 0) add("leaves the direction flag set");
   if ((broken & Call::fills_x87) != 0) add("leaves values on the x87 stack");
   if ((broken & Call::controls_x87) != 0) add("changes the control word of the x87");
+  if ((broken & Call::moves_segments) != 0) add("changes DS or SS");
   return text;
 }
 

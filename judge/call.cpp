@@ -189,6 +189,7 @@ unsigned Call::broken(const Registers& left) const {
   if ((left.flags & direction_flag) != 0) mask |= sets_direction;
   if (left.x87.tags != fresh.tags) mask |= fills_x87;
   if (left.x87.control != fresh.control) mask |= controls_x87;
+  if (!left.has_own_segments) mask |= moves_segments;
   return mask;
 }
 

@@ -21,6 +21,7 @@ struct Registers {
   std::array<std::uint32_t, x86model::register_count> general{};  ///< in the order of encoding
   std::uint32_t flags = 0;                                        ///< of observed_flags
   machine_code::X87 x87{};                                        ///< only after a call
+  bool has_own_segments = true;  ///< only after a call: whether DS and SS are those of the image
 
   [[nodiscard]] std::uint32_t read(const RegisterName& name) const;
   void write(const RegisterName& name, std::uint32_t value);
@@ -63,9 +64,10 @@ class Call {
   void leave(const std::uint8_t* memory, const Registers& registers,
              std::span<std::uint32_t> words) const;
   /// Bits of broken(). Every convention forbids what they say.
-  static constexpr unsigned sets_direction = 1U << 8U;  ///< DF is set
-  static constexpr unsigned fills_x87 = 1U << 9U;       ///< the x87 stack is not empty
-  static constexpr unsigned controls_x87 = 1U << 10U;   ///< the x87 has another control word
+  static constexpr unsigned sets_direction = 1U << 8U;   ///< DF is set
+  static constexpr unsigned fills_x87 = 1U << 9U;        ///< the x87 stack is not empty
+  static constexpr unsigned controls_x87 = 1U << 10U;    ///< the x87 has another control word
+  static constexpr unsigned moves_segments = 1U << 11U;  ///< DS or SS is another one
   /// Returns the registers that the call should have preserved and did not, with bit r for register
   /// r in the order of encoding, and the bits above. Bit 4 is set if the stack pointer is not what
   /// the convention says.

@@ -83,18 +83,21 @@ class Emulator final : public Machine {
         uc_emu_start(engine_, image_.code_at(image_.entry), ~std::uint64_t{0}, 0, 0);
     registers = read_registers();
     registers.x87 = {read_word(UC_X86_REG_FPCW), read_word(UC_X86_REG_FPTAG)};
-    initialize_floating_point();
+    registers.has_own_segments =
+        image_.bits == 32 || (read_word(UC_X86_REG_DS) == image_.data_segment &&
+                              read_word(UC_X86_REG_SS) == image_.data_segment);
     std::uint64_t at = 0;
     check(uc_reg_read(engine_, image_.bits == 16 ? UC_X86_REG_IP : UC_X86_REG_EIP, &at),
           "registers");
+    // Every call starts with the same segments and floating point, and without the exception that
+    // ended the last one.
+    check(uc_context_restore(engine_, fresh_), "context");
     if (ending_.end == End::returned) return ending_;
     if (error != UC_ERR_OK && ending_.end == End::halted) ending_.end = end_after(error);
     // A trace has the exact place, its last step. Otherwise the place is as exact as Unicorn keeps
     // it.
     ending_.at = trace_ != nullptr && !trace_->steps.empty() ? trace_->steps.back().at
                                                              : static_cast<std::uint32_t>(at);
-    // An exception would stay pending; the fresh context has none.
-    check(uc_context_restore(engine_, fresh_), "context");
     return ending_;
   }
 

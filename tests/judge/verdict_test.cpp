@@ -106,6 +106,22 @@ TEST(Judge, ValuesThatAreLeftOnTheX87StackAreNamed) {
   expect(judge_on_unicorn("leaves_x87"), 1, {" on Unicorn ", "AGREES on 5,000 cases", named});
 }
 
+TEST(Judge, ASegmentRegisterThatIsNotKeptIsNamed) {
+  const ScratchFolder folder;
+  // A later call that kept this DS would read another factor.
+  const std::string source =
+      "mov cx, [factor]\nimul cx\nimul bx\nmov al, ah\nmov ah, dl\nmov cx, ds\n"
+      "inc cx\nmov ds, cx\nret\nfactor: dw 1\n";
+  const std::string options = "--frame|ax, bx -> ax|--as|mul|--format|q8_8|--cases|5000";
+  expect(judge(folder.write("ds.asm", source), options), 1,
+         {" on Unicorn ", "AGREES on 5,000 cases",
+          "BREAKS its convention in 5,000 cases: it changes DS or SS, first for "});
+  expect(judge(folder.write("es.asm",
+                            "mov cx, 0x50\nmov es, cx\nimul bx\nmov al, ah\nmov ah, dl\nret\n"),
+               options),
+         0, {" on Unicorn ", "AGREES on 5,000 cases"});
+}
+
 TEST(Judge, EveryDefectOfAReturnIsNamed) {
   const ScratchFolder folder;
   const std::string source =
