@@ -50,6 +50,7 @@ class Calling : private boost::noncopyable {
   ~Calling() { --running; }
 
  private:
+  // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): all that exit() can reach
   static inline std::atomic<int> running = 0;
 };
 
@@ -101,7 +102,7 @@ class Columns {
   void store_results() const {
     using Bits = std::make_unsigned_t<W>;
     for (std::size_t i = 0; i < count_; ++i) {
-      const std::uint64_t word = static_cast<Bits>(results_[i]);
+      const auto word = std::uint64_t{static_cast<Bits>(results_[i])};
       if constexpr (sizeof(W) == 8) {
         batch_.out[2 * i] = static_cast<std::uint32_t>(word);
         batch_.out[2 * i + 1] = static_cast<std::uint32_t>(word >> 32U);
