@@ -106,8 +106,9 @@ void add_eval(CLI::App& app, int& status) {
   command
       ->add_option(
           "--by", options->by,
-          "party that answers: model, interpreter, oracle, fast, type, silicon or unicorn; by "
-          "default model for routines, type for other operations")
+          "party that answers: model, interpreter, oracle, fast, type, silicon, unicorn, or "
+          "FILE:FUNCTION of a shared library; by default model for routines, type for other "
+          "operations")
       ->check(not_empty());
   command
       ->add_option(

@@ -48,7 +48,8 @@ void JudgeOptions::add_to(CLI::App& command) {
       .add_option(
           "--as", operation,
           "what the routine computes: mul, div, sqrt, add, sub, muldiv, sin_cos, transform, a "
-          "function of docs/functions.md, or ? to find out; required unless --list is given")
+          "function of docs/functions.md, or ? to find out; required unless --list or "
+          "--against-listing is given")
       ->check(not_empty());
   command
       .add_option("--frame", frame,
@@ -118,7 +119,8 @@ start no program. It runs on this processor, or on Unicorn if the processor cann
 --frame says where the operands and the result are. Name the registers in the order of the
 operands, a pair with its upper half first, a pointer in brackets. In the stack conventions, the
 routine must preserve (E)BP, (E)SI and (E)DI, and also EBX in 32-bit code. After registers, `keeps`
-names those that it must preserve.
+names those that it must preserve. It must always leave the direction flag clear, the x87 stack
+empty, and DS, SS and the x87's control word as they were.
   mul, div, add, sub  two numbers          -> a number
   sqrt                a number             -> a number
   muldiv              a, b, c              -> a * b / c

@@ -40,9 +40,7 @@ std::string unsteady_text(const judge::Verdict& verdict) {
   if (const auto& state = verdict.state) {
     return fmt::format(
         "STATEFUL: for {} the result depends on earlier calls: {} at {:04x}h reads {:x}h, and {} "
-        "at "
-        "{:04x}h writes it. No rule is tried: the operands alone do not decide the "
-        "result\n",
+        "at {:04x}h writes it. No rule is tried: the operands alone do not decide the result\n",
         operands, state->reads.text, state->reads.at, state->address, state->writes.text,
         state->writes.at);
   }
@@ -56,6 +54,22 @@ std::string unsteady_text(const judge::Verdict& verdict) {
       "UNSTEADY: for {} the result differs from call to call: the routine reads a register, a flag "
       "or memory that its caller does not set, or a flag that Intel leaves undefined\n",
       operands);
+}
+
+/// Returns what a call breaks, such as "does not keep si and leaves the direction flag set".
+std::string broken_text(unsigned broken, int bits) {
+  using judge::Call;
+  std::string text;
+  const auto add = [&text](const std::string& what) {
+    text += (text.empty() ? "" : " and ") + what;
+  };
+  const unsigned registers = broken & ((1U << x86model::register_count) - 1);
+  if (registers != 0) add("does not keep " + register_names(registers, bits));
+  if ((broken & Call::sets_direction) != 0) add("leaves the direction flag set");
+  if ((broken & Call::fills_x87) != 0) add("leaves values on the x87 stack");
+  if ((broken & Call::controls_x87) != 0) add("changes the control word of the x87");
+  if ((broken & Call::moves_segments) != 0) add("changes DS or SS");
+  return text;
 }
 
 }  // namespace
@@ -134,10 +148,10 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
   }
   text += '\n';
   if (verdict.not_preserved) {
-    text += fmt::format("BREAKS its convention in {} {}: it does not keep {}, first for {}\n",
+    text += fmt::format("BREAKS its convention in {} {}: it {}, first for {}\n",
                         support::grouped(verdict.not_preserved_count),
                         verdict.not_preserved_count == 1 ? "case" : "cases",
-                        register_names(verdict.not_preserved->registers, bits),
+                        broken_text(verdict.not_preserved->broken, bits),
                         verdict.not_preserved->operands);
   }
   if (verdict.unsteady) text += unsteady_text(verdict);

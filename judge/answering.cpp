@@ -38,7 +38,7 @@ Incident incident(const Subject& subject, std::span<const std::uint32_t> words,
   return {.words = {words.begin(), words.end()},
           .operands = text_of_operands(subject.variant, words),
           .ending = answer.ending,
-          .registers = answer.broken};
+          .broken = answer.broken};
 }
 
 bool same_result(const Answer& a, const Answer& b) {
@@ -166,7 +166,7 @@ void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& v
     if (call && ended_well(call->answer) && verdict.machine == On::processor) {
       const Downfall downfall = pass->runner().downfall();
       verdict = Verdict{.machine = On::unicorn, .rules = verdict.rules};
-      verdict.note = fmt::format("on this processor {}, on Unicorn it does not",
+      verdict.note = fmt::format("{} on this processor, but not on Unicorn",
                                  downfall == Downfall::none ? "it faults" : why(downfall));
       begin();
       pass = std::make_unique<Pass>(subject, options, verdict, On::unicorn);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "x86model/flags.hpp"
-
 namespace fixproof::judge {
 
 namespace {
@@ -31,8 +29,6 @@ std::vector<Place> places_of_results(const Frame& frame, int result_bits, int co
   if (result_bits <= code_bits) return {{{ax}}};
   return {{{{Register::dx, size}, ax}}};
 }
-
-int bits_of(Size size) { return size == Size::byte ? 8 : size == Size::word ? 16 : 32; }
 
 }  // namespace
 
@@ -123,9 +119,9 @@ void Call::load_registers(Registers& registers, std::span<const std::uint32_t> w
     const Place& place = frame_.in[i];
     std::uint64_t value =
         place.is_pointer ? data_offsets_[i] : number_at(words, first_word_[i], parameters_[i]);
-    for (auto part = place.parts.rbegin(); part != place.parts.rend(); ++part) {
-      registers.write(*part, static_cast<std::uint32_t>(value));
-      value >>= static_cast<unsigned>(bits_of(part->size));
+    for (std::size_t part = place.parts.size(); part-- > 0;) {
+      registers.write(place.parts[part], static_cast<std::uint32_t>(value));
+      value >>= static_cast<unsigned>(bits_of(place.parts[part]));
     }
   }
 }
@@ -160,7 +156,7 @@ void Call::leave(const std::uint8_t* memory, const Registers& registers,
   for (const Place& place : results_) {
     std::uint64_t value = 0;
     for (const RegisterName& part : place.parts) {
-      value = value << static_cast<unsigned>(bits_of(part.size)) | registers.read(part);
+      value = value << static_cast<unsigned>(bits_of(part)) | registers.read(part);
     }
     const int bits = variant_.format.word_bits;
     if (bits < 64) value &= (std::uint64_t{1} << bits) - 1;
@@ -189,6 +185,11 @@ unsigned Call::broken(const Registers& left) const {
   }
   const RegisterName sp{Register::sp, image_.bits == 32 ? Size::dword : Size::word};
   if (left.read(sp) != popped_) mask |= 1U << sp_number;
+  constexpr machine_code::X87 fresh;
+  if ((left.flags & direction_flag) != 0) mask |= sets_direction;
+  if (left.x87.tags != fresh.tags) mask |= fills_x87;
+  if (left.x87.control != fresh.control) mask |= controls_x87;
+  if (!left.has_own_segments) mask |= moves_segments;
   return mask;
 }
 

@@ -9,12 +9,19 @@
 #include "cases/draw.hpp"
 #include "judge/frame.hpp"
 #include "judge/image.hpp"
+#include "machine_code/x87.hpp"
+#include "x86model/flags.hpp"
 
 namespace fixproof::judge {
 
+inline constexpr std::uint32_t direction_flag = 0x400;
+inline constexpr std::uint32_t observed_flags = x86model::arithmetic_flags | direction_flag;
+
 struct Registers {
   std::array<std::uint32_t, x86model::register_count> general{};  ///< in the order of encoding
-  std::uint32_t flags = 0;
+  std::uint32_t flags = 0;                                        ///< of observed_flags
+  machine_code::X87 x87{};                                        ///< only after a call
+  bool has_own_segments = true;  ///< only after a call: whether DS and SS are those of the image
 
   [[nodiscard]] std::uint32_t read(const RegisterName& name) const;
   void write(const RegisterName& name, std::uint32_t value);
@@ -56,8 +63,14 @@ class Call {
   /// Reads the result of a call into words_out(variant) words.
   void leave(const std::uint8_t* memory, const Registers& registers,
              std::span<std::uint32_t> words) const;
+  /// Bits of broken(). Every convention forbids what they say.
+  static constexpr unsigned sets_direction = 1U << 8U;   ///< DF is set
+  static constexpr unsigned fills_x87 = 1U << 9U;        ///< the x87 stack is not empty
+  static constexpr unsigned controls_x87 = 1U << 10U;    ///< the x87 has another control word
+  static constexpr unsigned moves_segments = 1U << 11U;  ///< DS or SS is another one
   /// Returns the registers that the call should have preserved and did not, with bit r for register
-  /// r in the order of encoding. Bit 4 is set if the stack pointer is not what the convention says.
+  /// r in the order of encoding, and the bits above. Bit 4 is set if the stack pointer is not what
+  /// the convention says.
   [[nodiscard]] unsigned broken(const Registers& left) const;
   /// Returns all registers that the call changed, except the stack pointer.
   [[nodiscard]] unsigned changed(const Registers& left) const;

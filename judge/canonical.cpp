@@ -47,16 +47,12 @@ std::optional<std::uint32_t> hex_at(std::string_view text, char end) {
   return value;
 }
 
-bool is_relative_jump(std::string_view mnemonic) {
-  return mnemonic.starts_with('j') || mnemonic.starts_with("loop") || mnemonic == "call";
-}
-
 /// Cuts the target off a relative jump.
 /// @param at where ndisasm saw the instruction
 void take_target(CanonicalLine& line, std::uint32_t at) {
   const std::string_view text = line.text;
   const std::size_t blank = text.find(' ');
-  if (blank == std::string_view::npos || !is_relative_jump(text.substr(0, blank))) return;
+  if (blank == std::string_view::npos || !is_jump(text.substr(0, blank))) return;
   const auto target = hex_at(text.substr(blank + 1), '\0');
   if (!target) return;  // in a register or in memory, or far
   const auto distance = static_cast<std::int16_t>(static_cast<std::uint16_t>(*target - at));

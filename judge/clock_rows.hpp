@@ -14,11 +14,12 @@
 //   386   80386 Programmer's Reference Manual (1986), chapter 17; MAME's i386/cycles.h
 //   486   MAME
 // and more copies where these were too few or differed: Microsoft's Assembly Language Help
-// (ALANG.HLP, all four), 86Box's codegen_timing_486.c, M. Abrash, Graphics Programming Black Book.
+// (ALANG.HLP, all four), 86Box's codegen_timing_486.c, Tsugaru's i486runinstruction.h, M. Abrash,
+// Graphics Programming Black Book.
 // Every figure is in two of them. A range has all figures where they differ and none is an evident
 // misprint. LOOP on a 486 is 7 taken, 6 not; MAME and 86Box have 6 for both. On a 386, MOVS, SCAS
-// and STOS have one clock more in MAME alone, and POPF on a 486 has 5 in 86Box alone: these do not
-// count.
+// and STOS have one clock more in MAME alone, POPF on a 486 has 5 in 86Box alone, and HelpPC has
+// the figures of POPA for PUSHA on a 286 and a 386: these do not count.
 
 namespace fixproof::judge::figures {
 
@@ -126,8 +127,11 @@ inline constexpr std::array rows{
     Row{" popa popad popaw ", "", all_sizes, no_figure, 0, 19, 24, 9},
     Row{" aam ", "", all_sizes, 83, 0, 16, 17, 15},
     Row{" aad ", "", all_sizes, 60, 0, 14, 19, 14},
-    Row{set_by_condition, "r", "b", no_figure, 0, no_figure, 4, 3},
-    Row{set_by_condition, "m", all_sizes, no_figure, 0, no_figure, 5, 4},
+    // On a 486, HelpPC and MAME have 3 for a register and 4 for memory, 86Box 3 for both, and
+    // Tsugaru
+    // 4 for both if the condition holds, else 3.
+    Row{set_by_condition, "r", "b", no_figure, 0, no_figure, 4, {3, 4}},
+    Row{set_by_condition, "m", all_sizes, no_figure, 0, no_figure, 5, {3, 4}},
     Row{" mul ", "r", "b", {70, 77}, 0, 13, {9, 14}, {13, 18}},
     Row{" mul ", "m", "b", {76, 83}, 0, 16, {12, 17}, {13, 18}},
     Row{" mul ", "m", "w", {124, 139}, 1, 24, {12, 25}, {13, 26}},

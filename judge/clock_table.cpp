@@ -105,8 +105,9 @@ Range address_wait(const TimedStep& step) {
   const unsigned written = step.previous->writes;
   const std::string& m = step.line->mnemonic;
   constexpr unsigned sp = 1U << static_cast<unsigned>(Register::sp);
-  if ((m == "push" || m == "pop" || m == "call" || m == "ret") && (written & sp) != 0)
-    return {1, 1};
+  const bool uses_stack =
+      m.starts_with("push") || m.starts_with("pop") || m == "call" || m.starts_with("ret");
+  if (uses_stack && (written & sp) != 0) return {1, 1};
   for (const RegisterName& base : step.line->bases) {
     if ((written >> static_cast<unsigned>(base.number) & 1U) != 0) return {1, 1};
   }

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <unicorn/unicorn.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <new>
 #include <utility>
 
 #include "judge/machine.hpp"
-#include "x86model/flags.hpp"
 
 namespace fixproof::judge {
 
@@ -82,17 +82,22 @@ class Emulator final : public Machine {
     const uc_err error =
         uc_emu_start(engine_, image_.code_at(image_.entry), ~std::uint64_t{0}, 0, 0);
     registers = read_registers();
+    registers.x87 = {read_word(UC_X86_REG_FPCW), read_word(UC_X86_REG_FPTAG)};
+    registers.has_own_segments =
+        image_.bits == 32 || (read_word(UC_X86_REG_DS) == image_.data_segment &&
+                              read_word(UC_X86_REG_SS) == image_.data_segment);
     std::uint64_t at = 0;
     check(uc_reg_read(engine_, image_.bits == 16 ? UC_X86_REG_IP : UC_X86_REG_EIP, &at),
           "registers");
+    // Every call starts with the same segments and floating point, and without the exception that
+    // ended the last one.
+    check(uc_context_restore(engine_, fresh_), "context");
     if (ending_.end == End::returned) return ending_;
     if (error != UC_ERR_OK && ending_.end == End::halted) ending_.end = end_after(error);
     // A trace has the exact place, its last step. Otherwise the place is as exact as Unicorn keeps
     // it.
     ending_.at = trace_ != nullptr && !trace_->steps.empty() ? trace_->steps.back().at
                                                              : static_cast<std::uint32_t>(at);
-    // An exception would stay pending; the fresh context has none.
-    check(uc_context_restore(engine_, fresh_), "context");
     return ending_;
   }
 
@@ -132,11 +137,19 @@ class Emulator final : public Machine {
     check(uc_reg_write(engine_, number, &value), "registers");
   }
 
+  std::uint16_t read_word(int number) {
+    std::uint16_t value = 0;
+    check(uc_reg_read(engine_, number, &value), "registers");
+    return value;
+  }
+
   /// Gives x87 and SSE the state of a new process on this processor. Unicorn starts with control
   /// words of 0: single precision, and no exception masked.
   void initialize_floating_point() {
-    write(UC_X86_REG_FPCW, 0x37F);
-    write(UC_X86_REG_FPTAG, 0xFFFF);  // all registers of the stack are empty
+    constexpr machine_code::X87 fresh;
+    write(UC_X86_REG_FPCW, fresh.control);
+    write(UC_X86_REG_FPSW, 0);
+    write(UC_X86_REG_FPTAG, fresh.tags);
     write(UC_X86_REG_MXCSR, 0x1F80);
   }
 
@@ -159,7 +172,7 @@ class Emulator final : public Machine {
         "registers");
     Registers registers;
     std::copy(values.begin(), values.end() - 1, registers.general.begin());
-    registers.flags = values.back() & x86model::arithmetic_flags;
+    registers.flags = values.back() & observed_flags;
     return registers;
   }
 

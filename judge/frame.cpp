@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <optional>
 
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -36,22 +35,15 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return parts;
 }
 
-int bits_of(Size size) { return size == Size::byte ? 8 : size == Size::word ? 16 : 32; }
-
 int bits_of(const Place& place) {
   return std::accumulate(place.parts.begin(), place.parts.end(), 0,
-                         [](int sum, const RegisterName& r) { return sum + bits_of(r.size); });
+                         [](int sum, const RegisterName& r) { return sum + bits_of(r); });
 }
 
-RegisterName register_named(std::string_view text) {
-  for (std::size_t r = 0; r < x86model::register_count; ++r) {
-    for (const Size size : {Size::byte, Size::word, Size::dword}) {
-      const auto number = static_cast<Register>(r);
-      if (x86model::name_of(number, size) != text) continue;
-      if (number == Register::sp && size != Size::byte) break;
-      return {number, size};
-    }
-  }
+RegisterName register_for_operand(std::string_view text) {
+  const auto found = register_named(text);
+  // The number of SP is that of AH.
+  if (found && (found->number != Register::sp || found->size == Size::byte)) return *found;
   throw UsageError(
       fmt::format("--frame: {} is not a register for operands; choose one such as eax, bx or dl",
                   support::quoted(text)));
@@ -63,7 +55,9 @@ Place place_named(std::string_view text) {
     place.is_pointer = true;
     text = trimmed(text.substr(1, text.size() - 2));
   }
-  for (const std::string_view part : split(text, ':')) place.parts.push_back(register_named(part));
+  for (const std::string_view part : split(text, ':')) {
+    place.parts.push_back(register_for_operand(part));
+  }
   if (place.parts.empty() || place.parts.size() > 2 ||
       (place.is_pointer && place.parts.size() > 1)) {
     throw UsageError(fmt::format(
@@ -82,8 +76,8 @@ void expect_registers_of_their_own(const std::vector<Place>& places) {
       const std::uint32_t bytes =
           part.size == Size::byte ? (number < 4 ? 1U : 2U) << 2 * (number % 4) : 3U << 2 * number;
       if ((taken & bytes) != 0) {
-        throw UsageError(fmt::format("--frame: {} is named twice; choose another register",
-                                     x86model::name_of(part.number, part.size)));
+        throw UsageError(
+            fmt::format("--frame: {} is named twice; choose another register", name_of(part)));
       }
       taken |= bytes;
     }
@@ -96,7 +90,7 @@ Frame frame_of_registers(std::string_view text, std::size_t arrow) {
   constexpr std::string_view word = "keeps ";
   if (const std::size_t keeps = results.find(word); keeps != std::string_view::npos) {
     for (const auto part : split(results.substr(keeps + word.size()), ',')) {
-      frame.kept.push_back(register_named(part));
+      frame.kept.push_back(register_for_operand(part));
     }
     results = results.substr(0, keeps);
   }
@@ -122,6 +116,20 @@ std::vector<RegisterName> kept_by_convention(int bits) {
 
 std::string name_of(const RegisterName& name) {
   return std::string(x86model::name_of(name.number, name.size));
+}
+
+int bits_of(const RegisterName& name) {
+  return name.size == Size::byte ? 8 : name.size == Size::word ? 16 : 32;
+}
+
+std::optional<RegisterName> register_named(std::string_view text) {
+  for (std::size_t r = 0; r < x86model::register_count; ++r) {
+    for (const Size size : {Size::byte, Size::word, Size::dword}) {
+      const RegisterName name{static_cast<Register>(r), size};
+      if (x86model::name_of(name.number, size) == text) return name;
+    }
+  }
+  return std::nullopt;
 }
 
 Frame frame_named(std::string_view text, int bits) {

@@ -2,6 +2,7 @@
 /// Calling conventions: where a routine finds its operands and leaves its results.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,11 @@ struct RegisterName {
 
   friend bool operator==(const RegisterName&, const RegisterName&) = default;
 };
+
+std::string name_of(const RegisterName& name);
+int bits_of(const RegisterName& name);
+/// Returns the register of a name in lower case, or nothing for any other text.
+std::optional<RegisterName> register_named(std::string_view text);
 
 /// A value, or a pointer to it, in registers.
 struct Place {
@@ -58,7 +64,5 @@ std::vector<Parameter> parameters_of(const cases::Variant& variant);
 /// Checks that the frame has a place for each operand and each result of the operation.
 /// @throws support::UsageError naming the place that is missing or too small
 void expect_fit(const Frame& frame, const cases::Variant& variant, int bits);
-
-std::string name_of(const RegisterName& name);
 
 }  // namespace fixproof::judge

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "cases/words.hpp"
 #include "check/cases.hpp"
@@ -56,6 +57,8 @@ class Inspector {
 
   void look_at_memory(const Trace& trace) {
     const Image& image = subject_.image;
+    std::map<std::uint32_t, std::uint32_t> code;  // the size of each instruction, by its address
+    for (const Step& step : trace.steps) code[image.code_at(step.at)] = step.bytes;
     for (const Access& access : trace.accesses) {
       if (access.step >= trace.steps.size()) continue;
       const auto finding = [&] {
@@ -68,9 +71,9 @@ class Inspector {
         inspection_.foreign_memory = finding();
       }
       if (access.is_write == 0 || inspection_.changes_own_code) continue;
-      const bool is_code = std::ranges::any_of(trace.steps, [&](const Step& step) {
-        const std::uint32_t at = image.code_at(step.at);
-        return access.address < at + step.bytes && access.address + access.bytes > at;
+      const bool is_code = std::ranges::any_of(code, [&](const auto& instruction) {
+        const auto [at, bytes] = instruction;
+        return access.address < at + bytes && access.address + access.bytes > at;
       });
       if (is_code) inspection_.changes_own_code = finding();
     }

@@ -19,10 +19,6 @@ namespace {
 constexpr std::uint32_t window = 512;
 constexpr std::uint32_t nowhere = 0xFFFFFFFF;
 
-bool is_jump(std::string_view mnemonic) {
-  return mnemonic.starts_with('j') || mnemonic.starts_with("loop") || mnemonic == "call";
-}
-
 }  // namespace
 
 const Line& Listing::at(std::uint32_t offset) {

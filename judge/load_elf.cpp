@@ -17,8 +17,7 @@ using support::UsageError;
 
 /// The address of the first section. It keeps 0 an invalid pointer.
 constexpr std::uint32_t origin = 0x1000;
-/// More than there is room for; sections of a damaged file may add up to any
-/// size.
+/// More than there is room for; sections of a damaged file may add up to any size.
 constexpr std::size_t max_code_bytes = 0x100000;
 /// The names that are read, together. Those of C++ may be long, those of a damaged file of any
 /// length.
@@ -37,12 +36,15 @@ class Object {
   Object(Image& image, const std::string& bytes) : image_(image), bytes_(bytes) {}
 
   void load() {
-    const auto header = at<Elf32_Ehdr>(0);
+    const auto header = at<Elf32_Ehdr>(0);  // in 64 bits, too, the type has this place
+    if (header.e_type == ET_DYN) {
+      throw UsageError(
+          "the ELF file is linked; give the object from before linking, or call a function of a "
+          "shared library with eval --by FILE:FUNCTION (docs/judge.md)");
+    }
     if (header.e_ident[EI_CLASS] != ELFCLASS32 || header.e_ident[EI_DATA] != ELFDATA2LSB ||
         header.e_machine != EM_386) {
-      throw UsageError(
-          "the ELF file is not i386 code; compile with -m32, "
-          "assemble with -f elf32");
+      throw UsageError("the ELF file is not i386 code; compile with -m32, assemble with -f elf32");
     }
     if (header.e_type != ET_REL) {
       throw UsageError("the ELF file is linked; give the object from before linking");
@@ -57,9 +59,7 @@ class Object {
     for (const Elf32_Shdr& section : sections_) {
       if (section.sh_type == SHT_REL) relocate(section);
       if (section.sh_type == SHT_RELA && is_placed(section.sh_info)) {
-        throw UsageError(
-            "the ELF file has relocations with addends, which "
-            "i386 code does not use");
+        throw UsageError("the ELF file has relocations with addends, which i386 code does not use");
       }
     }
   }
@@ -92,9 +92,9 @@ class Object {
   }
 
   /// Appends zeros to the code and data, and returns where they start.
-  static std::uint32_t reserve(std::string& flat, std::size_t alignment, std::size_t size) {
+  static std::uint32_t reserve(std::string& flat, std::uint32_t alignment, std::uint32_t size) {
     if (alignment > 0x1000) throw damaged();
-    if (flat.size() + alignment + size > max_code_bytes) {
+    if (std::uint64_t{flat.size()} + alignment + size > max_code_bytes) {
       throw UsageError("the ELF file has more than 1 MiB of code and data");
     }
     if (alignment > 1) flat.resize((flat.size() + alignment - 1) / alignment * alignment);
@@ -151,8 +151,8 @@ class Object {
     }
   }
 
-  /// One table of symbols, and relocations that do not share bytes: otherwise a
-  /// small file could ask for any amount of work.
+  /// One table of symbols, and relocations that do not share bytes: otherwise a small file could
+  /// ask for any amount of work.
   void expect_sound_tables() const {
     std::uint64_t symbol_tables = 0;
     std::uint64_t relocation_bytes = 0;

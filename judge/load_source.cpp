@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/noncopyable.hpp>
 #include <cctype>
 #include <cerrno>
 #include <charconv>
@@ -31,15 +32,13 @@ constexpr std::chrono::seconds time_to_assemble{20};
 constexpr std::size_t max_bytes = std::size_t{1} << 20U;
 
 /// A temporary folder, which is removed with its contents.
-class Scratch {
+class Scratch : private boost::noncopyable {
  public:
   Scratch() : name_((fs::temp_directory_path() / "fixproof.XXXXXX").string()) {
     if (mkdtemp(name_.data()) == nullptr) {
       throw std::system_error(errno, std::generic_category(), "a temporary folder");
     }
   }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
   ~Scratch() {
     std::error_code ignored;
     fs::remove_all(name_, ignored);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <string_view>
 #include <system_error>
 
 #include "proof/process.hpp"
@@ -60,6 +59,10 @@ std::vector<Line> lines_of(std::string_view output) {
 }
 
 }  // namespace
+
+bool is_jump(std::string_view mnemonic) {
+  return mnemonic.starts_with('j') || mnemonic.starts_with("loop") || mnemonic == "call";
+}
 
 std::vector<Line> disassembled(int bits, std::uint32_t origin, const std::string& bytes) {
   return lines_of(

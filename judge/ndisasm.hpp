@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fixproof::judge {
@@ -13,6 +14,9 @@ struct Line {
   std::uint32_t bytes = 0;
   std::string text{};  ///< in NASM syntax, with numbers as 0x...
 };
+
+/// Tells whether a mnemonic is a jump, LOOP or CALL.
+bool is_jump(std::string_view mnemonic);
 
 /// The longest instruction, in bytes.
 inline constexpr std::uint32_t longest_instruction = 15;

@@ -3,23 +3,9 @@
 #include <charconv>
 #include <string_view>
 
-#include "x86model/text.hpp"
-
 namespace fixproof::judge {
 
 namespace {
-
-using x86model::Size;
-
-std::optional<RegisterName> register_named(std::string_view text) {
-  for (std::size_t r = 0; r < x86model::register_count; ++r) {
-    for (const Size size : {Size::byte, Size::word, Size::dword}) {
-      const auto number = static_cast<x86model::Register>(r);
-      if (x86model::name_of(number, size) == text) return RegisterName{number, size};
-    }
-  }
-  return std::nullopt;
-}
 
 /// Reads 0x1f, +0x1f or -0x1f.
 std::optional<std::uint32_t> number_in(std::string_view text) {
@@ -90,10 +76,6 @@ std::optional<Operand> operand_in(std::string_view text) {
 }
 
 }  // namespace
-
-int bits_of(const RegisterName& name) {
-  return name.size == Size::byte ? 8 : name.size == Size::word ? 16 : 32;
-}
 
 std::optional<std::vector<Operand>> operands_of(const Line& line) {
   std::vector<Operand> operands;

@@ -27,6 +27,4 @@ struct Operand {
 /// segment register, a scaled index or a segment override.
 std::optional<std::vector<Operand>> operands_of(const Line& line);
 
-int bits_of(const RegisterName& name);
-
 }  // namespace fixproof::judge

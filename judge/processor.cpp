@@ -22,7 +22,7 @@ class Processor final : public Machine {
   Ending call(Registers& registers) override {
     machine_code::HostSegment::Registers host{registers.general, registers.flags};
     const int signal = segment_.call(host, entry_);
-    registers.general = host.general;
+    registers = {host.general, host.flags & observed_flags, host.x87};
     if (signal == 0) return {};
     return {.end = signal == SIGFPE ? End::divide_error : End::fault};
   }

@@ -1,5 +1,6 @@
 #include "judge/runner.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <type_traits>
 

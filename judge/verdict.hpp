@@ -28,7 +28,7 @@ struct Incident {
   std::vector<std::uint32_t> words{};
   std::string operands{};  ///< the words as text
   Ending ending{};
-  unsigned registers = 0;  ///< see Call::broken()
+  unsigned broken = 0;  ///< see Call::broken()
 };
 
 struct Verdict {
@@ -45,8 +45,8 @@ struct Verdict {
   std::optional<Incident> not_preserved{};  ///< the first case that breaks the convention
   std::uint64_t not_preserved_count = 0;
   std::optional<Incident> unsteady{};  ///< a case with another result in a second run
-  bool is_steady_on_processor =
-      false;  ///< whether only Unicorn gives the unsteady case another result
+  /// Whether only Unicorn gives the unsteady case another result.
+  bool is_steady_on_processor = false;
   std::optional<KeptState> state{};             ///< why the case is unsteady, if memory is why
   unsigned changed = 0;                         ///< see Call::changed()
   std::optional<check::JudgedCase> smallest{};  ///< the simplest case that is wrong when run again

@@ -7,7 +7,8 @@
 //   stack saves all registers that the ABI preserves, and the Landing holds its RSP.
 // - DS, ES and SS hold the segment during the call and are restored. FS and GS stay untouched,
 //   because thread-local storage depends on them.
-// - The caller sets only the six arithmetic flags. The ABI requires DF to be clear on return.
+// - The caller sets only the six arithmetic flags. The flags at the exit are stored, then DF is
+//   cleared, as the ABI requires.
 // - The x87, SSE and AVX state stays untouched. A function call leaves no red zone to preserve.
 asm(R"(
         .pushsection .text
@@ -60,6 +61,9 @@ fixproof_leave_segment:
         popq %r8
         movw %r8w, %ds
         popq %r8
+        pushfq
+        popq %r9
+        movl %r9d, 32(%r8)
         movl %eax, 0(%r8)
         movl %ecx, 4(%r8)
         movl %edx, 8(%r8)

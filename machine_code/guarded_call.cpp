@@ -1,14 +1,10 @@
 #include "machine_code/guarded_call.hpp"
 
 #include <setjmp.h>  // NOLINT(modernize-deprecated-headers): sigsetjmp() is POSIX's
-#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigaltstack() is POSIX's
 
 #include <boost/noncopyable.hpp>
-#include <cerrno>
-#include <cstddef>
-#include <system_error>
-#include <vector>
 
+#include "machine_code/handler_stack.hpp"
 #include "support/fault_signals.hpp"
 
 namespace fixproof::machine_code {
@@ -26,25 +22,6 @@ bool leave_call(int signal, void* /*context*/) {
   fault = signal;
   siglongjmp(*landing, 1);
 }
-
-/// A stack for the handler, because the code may have used up its own.
-class HandlerStack : private boost::noncopyable {
- public:
-  HandlerStack() {
-    stack_t own{};
-    own.ss_sp = bytes_.data();
-    own.ss_size = bytes_.size();
-    if (sigaltstack(&own, &previous_) != 0) {
-      throw std::system_error(errno, std::generic_category(), "sigaltstack");
-    }
-  }
-  ~HandlerStack() { sigaltstack(&previous_, nullptr); }
-
- private:
-  /// The largest register files of x86-64 take 11 KiB of it.
-  std::vector<std::byte> bytes_ = std::vector<std::byte>(0x10000);
-  stack_t previous_{};
-};
 
 class Landing : private boost::noncopyable {
  public:

@@ -2,16 +2,17 @@
 
 #if defined(__linux__) && defined(__x86_64__) && !defined(__ILP32__)
 
-#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigaltstack() is POSIX's
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigfillset() is POSIX's
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <new>
-#include <vector>
 
 #include "machine_code/enter_segment.hpp"
 #include "machine_code/faults.hpp"
+#include "machine_code/handler_stack.hpp"
 #include "machine_code/low_memory.hpp"
 #include "machine_code/processor.hpp"
 #include "x86model/flags.hpp"
@@ -24,26 +25,25 @@ namespace {
 class FaultsOnly : private boost::noncopyable {
  public:
   FaultsOnly() {
-    stack_t own{};
-    own.ss_sp = stack_.data();
-    own.ss_size = stack_.size();
-    if (sigaltstack(&own, &previous_) != 0) throw refused("sigaltstack");
     sigset_t blocked;
     sigfillset(&blocked);
     for (const int fault : {SIGFPE, SIGSEGV, SIGBUS, SIGILL, SIGTRAP}) sigdelset(&blocked, fault);
     pthread_sigmask(SIG_BLOCK, &blocked, &blocked_);
   }
-  ~FaultsOnly() {
-    pthread_sigmask(SIG_SETMASK, &blocked_, nullptr);
-    sigaltstack(&previous_, nullptr);
-  }
+  ~FaultsOnly() { pthread_sigmask(SIG_SETMASK, &blocked_, nullptr); }
 
  private:
-  /// The largest register files of x86-64 take 11 KiB of it.
-  std::vector<std::uint8_t> stack_ = std::vector<std::uint8_t>(0x10000);
-  stack_t previous_{};
+  HandlerStack stack_;
   sigset_t blocked_{};
 };
+
+/// Returns the state of the x87, then gives x87 and SSE that of a new process.
+X87 renew_floating_point() {
+  constexpr std::uint32_t sse_control = 0x1F80;
+  std::array<std::uint16_t, 14> environment{};  // each of its words has 32 bits
+  asm volatile("fnstenv %0\n\tfninit\n\tldmxcsr %1" : "=m"(environment) : "m"(sse_control));
+  return {.control = environment[0], .tags = environment[4]};
+}
 
 }  // namespace
 
@@ -96,8 +96,11 @@ int HostSegment::call(Registers& registers, std::uint32_t entry) const {
                    .reserved = 0,
                    .landing = parts_->landing};
   std::copy(registers.general.begin(), registers.general.end(), std::begin(call.registers));
+  renew_floating_point();  // this process may have raised flags of SSE
   const int signal = call_segment(call);
   std::copy(std::begin(call.registers), std::end(call.registers), registers.general.begin());
+  registers.flags = call.flags;
+  registers.x87 = renew_floating_point();
   return signal;
 }
 

@@ -9,6 +9,8 @@
 #include <memory>
 #include <string>
 
+#include "machine_code/x87.hpp"
+
 namespace fixproof::machine_code {
 
 /// One segment with the code, data and stack of a user, in this process. The processor keeps the
@@ -42,9 +44,9 @@ class HostSegment : private boost::noncopyable {
   struct Registers {
     std::array<std::uint32_t, 8> general{};
     std::uint32_t flags = 0;
+    X87 x87{};  ///< only after a call; every call starts as in a new process
   };
-  /// Jumps to `entry`. The registers become those at the exit or at the fault; the flags are
-  /// unspecified.
+  /// Jumps to `entry`. The registers become those at the exit or at the fault.
   /// @return 0 at the exit, or the signal of the fault
   [[nodiscard]] int call(Registers& registers, std::uint32_t entry) const;
 

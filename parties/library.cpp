@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <boost/dll/shared_library.hpp>
+#include <boost/noncopyable.hpp>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +36,7 @@ using cases::Operation;
 constexpr std::string_view array_suffix = "[]";
 
 /// While one exists, exit() is a failure: a function must not end the verification with status 0.
-class Calling {
+class Calling : private boost::noncopyable {
  public:
   Calling() {
     static const int registered = std::atexit([] {
@@ -47,12 +48,9 @@ class Calling {
     ++running;
   }
   ~Calling() { --running; }
-  Calling(const Calling&) = delete;
-  Calling(Calling&&) = delete;
-  Calling& operator=(const Calling&) = delete;
-  Calling& operator=(Calling&&) = delete;
 
  private:
+  // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): all that exit() can reach
   static inline std::atomic<int> running = 0;
 };
 
@@ -104,7 +102,7 @@ class Columns {
   void store_results() const {
     using Bits = std::make_unsigned_t<W>;
     for (std::size_t i = 0; i < count_; ++i) {
-      const std::uint64_t word = static_cast<Bits>(results_[i]);
+      const auto word = std::uint64_t{static_cast<Bits>(results_[i])};
       if constexpr (sizeof(W) == 8) {
         batch_.out[2 * i] = static_cast<std::uint32_t>(word);
         batch_.out[2 * i + 1] = static_cast<std::uint32_t>(word >> 32U);

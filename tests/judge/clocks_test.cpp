@@ -203,7 +203,20 @@ TEST(JudgeClocks, FlagsTablesAndStringsOfTheCommonKind) {
   // A prefix of a 486 costs a clock, or is hidden.
   expect_clocks("mov si, 0x100\nmov di, 0x180\nlodsd\nstosd\nmovsd\nret",
                 {{}, {}, 2 + 2 + 5 + 4 + 7 + 13, {1 + 1 + 5 + 5 + 7 + 5, 1 + 1 + 6 + 6 + 8 + 5}});
-  expect_clocks("setc al\nsetnz byte [0x100]\nret", {{}, {}, 4 + 5 + 13, 3 + 4 + 5});
+  expect_clocks("setc al\nsetnz byte [0x100]\nret", {{}, {}, 4 + 5 + 13, {3 + 3 + 5, 4 + 4 + 5}});
+}
+
+TEST(JudgeClocks, A486WaitsForTheStackPointer) {
+  if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
+  expect_clocks(
+      "mov cx, sp\nmov sp, cx\npushf\npopf\nret",
+      {2 + 2 + 14 + 12 + 20, 2 + 2 + 3 + 5 + 14, 2 + 2 + 4 + 5 + 13, 1 + 1 + (4 + 1) + 9 + 5});
+  expect_clocks("push cs\nmov cx, sp\nnop\npop dx\nmov sp, cx\npush dx\npop dx\nadd sp, 2\nret",
+                {14 + 2 + 3 + 12 + 2 + 15 + 12 + 4 + 20,
+                 3 + 2 + 3 + 5 + 2 + 3 + 5 + 3 + 14,
+                 2 + 2 + 3 + 4 + 2 + 2 + 4 + 2 + 13,
+                 {3 + 1 + 1 + 1 + 1 + (1 + 1) + 1 + 1 + (5 + 1),
+                  3 + 1 + 1 + 4 + 1 + (1 + 1) + 4 + 1 + (5 + 1)}});
 }
 
 TEST(JudgeClocks, TestOfMemoryByAConstant) {

@@ -11,6 +11,13 @@ using judged::in_registers;
 using judged::judge;
 using judged::routine;
 
+/// Runs a routine of two registers behind STI, which only Unicorn executes.
+command::Run judge_on_unicorn(const std::string& name) {
+  const ScratchFolder folder;
+  const std::string source = "sti\n" + command::run({"cat", routine(name)}).out;
+  return judge(folder.write(name + ".asm", source), in_registers + "|--cases|5000");
+}
+
 TEST(Judge, ARightMultiplyAgrees) {
   expect(judge(routine("mul"), in_registers + "|--rounding|half-up|--overflow|wrap"), 0,
          {"AGREES on 1,039,204 cases", "half-up on all 644,778 cases in range",
@@ -82,6 +89,52 @@ TEST(Judge, ARegisterThatIsNotKeptIsNamed) {
          {"AGREES on 20,000 cases", "BREAKS its convention in 20,000 cases: it does not keep si"});
 }
 
+TEST(Judge, ADirectionFlagThatIsLeftSetIsNamed) {
+  const std::string named =
+      "BREAKS its convention in 5,000 cases: it leaves the direction flag set, ";
+  expect(judge(routine("leaves_direction"), in_registers + "|--cases|5000"), 1,
+         {"AGREES on 5,000 cases", named});
+  expect(judge_on_unicorn("leaves_direction"), 1,
+         {"(it faults on this processor, but not on Unicorn)", "AGREES on 5,000 cases", named});
+}
+
+TEST(Judge, ValuesThatAreLeftOnTheX87StackAreNamed) {
+  const std::string named =
+      "BREAKS its convention in 5,000 cases: it leaves values on the x87 stack, first for ";
+  expect(judge(routine("leaves_x87"), in_registers + "|--cases|5000"), 1,
+         {"AGREES on 5,000 cases", named});
+  expect(judge_on_unicorn("leaves_x87"), 1, {" on Unicorn ", "AGREES on 5,000 cases", named});
+}
+
+TEST(Judge, ASegmentRegisterThatIsNotKeptIsNamed) {
+  const ScratchFolder folder;
+  // A later call that kept this DS would read another factor.
+  const std::string source =
+      "mov cx, [factor]\nimul cx\nimul bx\nmov al, ah\nmov ah, dl\nmov cx, ds\n"
+      "inc cx\nmov ds, cx\nret\nfactor: dw 1\n";
+  const std::string options = "--frame|ax, bx -> ax|--as|mul|--format|q8_8|--cases|5000";
+  expect(judge(folder.write("ds.asm", source), options), 1,
+         {" on Unicorn ", "AGREES on 5,000 cases",
+          "BREAKS its convention in 5,000 cases: it changes DS or SS, first for "});
+  expect(judge(folder.write("es.asm",
+                            "mov cx, 0x50\nmov es, cx\nimul bx\nmov al, ah\nmov ah, dl\nret\n"),
+               options),
+         0, {" on Unicorn ", "AGREES on 5,000 cases"});
+}
+
+TEST(Judge, EveryDefectOfAReturnIsNamed) {
+  const ScratchFolder folder;
+  const std::string source =
+      "imul ebx\nshrd eax, edx, 16\npush ecx\nfnstcw [esp]\nor byte [esp+1], 12\nfldcw [esp]\n"
+      "pop ecx\nfld1\nstd\nret\n";
+  expect(
+      judge(folder.write("all.asm", source),
+            "--bits|32|--frame|eax, ebx -> eax keeps edx, ecx|--as|mul|--cases|5000"),
+      1,
+      {"it does not keep ecx, edx and leaves the direction flag set and leaves values on the x87 "
+       "stack and changes the control word of the x87, first for "});
+}
+
 TEST(Judge, AFaultForOneDivisorIsFound) {
   expect(judge(routine("faults_for_four"),
                "--bits|32|--frame|eax, ebx -> eax|--as|div|--rounding|toward-zero"),
@@ -148,6 +201,21 @@ TEST(Judge, FloatingPointStartsAlikeOnBothMachines) {
   expect_state("fnstcw [esp]\nmov eax, [esp]", "0000037f");
   expect_state("fnstenv [esp]\nmovzx eax, word [esp+8]", "0000ffff");
   expect_state("stmxcsr [esp]\nmov eax, [esp]", "00001f80");
+}
+
+TEST(Judge, EveryCallStartsWithTheFloatingPointOfANewProcess) {
+  const ScratchFolder folder;
+  // A word that is not the initial one is added to the result. Then the words change.
+  const std::string source =
+      "imul ebx\nshrd eax, edx, 16\nsub esp, 4\nstmxcsr [esp]\nadd eax, [esp]\nsub eax, 0x1F80\n"
+      "or dword [esp], 0x6000\nldmxcsr [esp]\nmov dword [esp], 0\nfnstcw [esp]\nadd eax, [esp]\n"
+      "sub eax, 0x37F\nmov dword [esp], 0xF7F\nfldcw [esp]\nadd esp, 4\nret\n";
+  const auto file = folder.write("words.asm", source);
+  const auto on_unicorn = folder.write("unicorn.asm", "sti\n" + source);
+  for (const std::string& path : {file, on_unicorn}) {
+    expect(judge(path, in_registers + "|--cases|5000"), 1,
+           {"AGREES on 5,000 cases", "it changes the control word of the x87, first for "});
+  }
 }
 
 TEST(Judge, AProductOverADivisor) {
