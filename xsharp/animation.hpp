@@ -20,14 +20,27 @@
 
 namespace xsharp {
 
+/// The fewest vertices for which waking a thread and waiting for it takes less than it saves; see
+/// "Large scenes" in docs/performance.md.
+inline constexpr std::size_t vertices_per_thread = 40'000;
+
+/// Returns how many of `threads` threads shorten the frames of a scene. No thread has less than an
+/// object.
+inline std::size_t useful_threads(const Scene& scene, std::size_t threads) {
+  std::size_t vertices = 0;
+  for (const ObjectDescription& object : scene.objects) vertices += object.mesh.vertices.size();
+  const std::size_t most = std::min(vertices / vertices_per_thread, scene.objects.size());
+  return std::max<std::size_t>(1, std::min(threads, most));
+}
+
 template <Scalar N>
 class Animation final : public Player {
  public:
-  /// @param threads that move, prepare and draw objects, at most as many as the scene describes
-  /// objects, whatever add() adds; the number does not affect the pictures
+  /// @param threads that move, prepare and draw objects, as far as useful_threads() of the scene,
+  /// whatever add() adds; the number does not affect the pictures
   explicit Animation(const Scene& scene, std::size_t threads = 1,
                      Concatenation concatenation = Concatenation::published)
-      : pool_(std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(1, scene.objects.size()))),
+      : pool_(useful_threads(scene, threads)),
         tallies_(pool_.workers()),
         key_(scene.depth_key),
         front_to_back_(scene.depth_buffer != DepthBuffering::off),
@@ -84,6 +97,9 @@ class Animation final : public Player {
       for (std::size_t i = first; i < end; ++i) objects_[i]->move();
     });
   }
+
+  /// The threads in use.
+  [[nodiscard]] std::size_t threads() const { return pool_.workers(); }
 
   [[nodiscard]] std::span<const std::size_t> order() const override { return order_; }
   [[nodiscard]] ObjectState state(std::size_t object) const override {

@@ -7,7 +7,7 @@ namespace fixproof::detail::FIXED_LANES {
 using half_f32 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = float;
 
 /// Loads half a block of floating-point numbers as doubles. If subnormals can change the result,
-/// makes them normal; see detail::as_double().
+/// sets a bit of their exponents, because processors may take them for zero.
 template <class Float, rounding R, class Part>
 FIXED_LANE_FUNCTION f64 load_doubles(const void* base, std::size_t index, Part part) {
   if constexpr (sizeof(Float) == 4) {

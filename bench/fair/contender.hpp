@@ -207,7 +207,6 @@ class Operation {
     batch_.contenders.push_back(contender<Op, K>(role));
     return *this;
   }
-  /// A function of one or two words.
   /// A function of one or two words, in a chain and in a loop.
   template <class F>
   Operation& each(Role role = Role::peer) {

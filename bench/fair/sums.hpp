@@ -10,6 +10,7 @@
 
 #include "bench/fair/columns.hpp"
 #include "bench/fair/plain.hpp"
+#include "bench/fair/transforms.hpp"
 
 #if defined(FAIR_EIGEN)
 #include <Eigen/Core>
@@ -30,61 +31,31 @@ struct IdiomDot : Plain<Word> {
 };
 
 using WordRow = std::array<Word, 4>;
+struct OfWords {
+  using number = Word;
+};
 
 /// Rounds each product, as FIXED.ASM and the type do.
-struct EachRounded {
+struct EachRounded : OfWords {
   static constexpr const char* name = "idiom";
   static Word of(const WordRow& row, Word x, Word y, Word z) {
     return IdiomMultiply::of(row[0], x) + IdiomMultiply::of(row[1], y) +
            IdiomMultiply::of(row[2], z) + row[3];
   }
 };
-struct SumRounded {
+struct SumRounded : OfWords {
   static constexpr const char* name = "idiom, one rounding";
   static Word of(const WordRow& row, Word x, Word y, Word z) {
     const Wide sum = Wide{row[0]} * x + Wide{row[1]} * y + Wide{row[2]} * z;
     return static_cast<Word>((sum + 0x8000) >> 16) + row[3];
   }
 };
-struct SumInDouble {
+struct SumInDouble : OfWords {
   static constexpr const char* name = "double";
   static Word of(const WordRow& row, Word x, Word y, Word z) {
     const double sum = static_cast<double>(row[0]) * x + static_cast<double>(row[1]) * y +
                        static_cast<double>(row[2]) * z;
     return nearest(sum * 0x1p-16) + row[3];
-  }
-};
-
-template <class Row>
-struct Columns : Plain<Word> {
-  static constexpr const char* name = Row::name;
-  static void run(const View<in, out>& v, std::size_t count) {
-    const auto by = v.rows;
-    const Word* __restrict a = v.a;
-    const Word* __restrict b = v.b;
-    const Word* __restrict c = v.c;
-    Word* __restrict x = v.x;
-    Word* __restrict y = v.y;
-    Word* __restrict z = v.z;
-    for (std::size_t i = 0; i < count; ++i) {
-      x[i] = Row::of(by[0], a[i], b[i], c[i]);
-      y[i] = Row::of(by[1], a[i], b[i], c[i]);
-      z[i] = Row::of(by[2], a[i], b[i], c[i]);
-    }
-  }
-};
-template <class Row>
-struct Interleaved : Plain<std::array<Word, 3>> {
-  static constexpr const char* name = Row::name;
-  static void run(const View<in, out>& v, std::size_t count) {
-    const auto by = v.rows;
-    const in* __restrict from = v.a;
-    out* __restrict to = v.x;
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        to[i][k] = Row::of(by[k], from[i][0], from[i][1], from[i][2]);
-      }
-    }
   }
 };
 

@@ -11,6 +11,7 @@
 #include "batch/conversions.hpp"
 #include "batch/radian.hpp"
 #include "bench/fair/columns.hpp"
+#include "bench/fair/transforms.hpp"
 #include "fixed/fixed.hpp"
 
 namespace fair {
@@ -67,39 +68,16 @@ struct TypeDot : Type<q16_16> {
   }
 };
 
-/// Coordinate k of a vertex.
-inline q16_16 moved(const std::array<std::array<q16_16, 4>, 3>& by, std::size_t k, const q16_16& x,
-                    const q16_16& y, const q16_16& z) {
-  return by[k][0] * x + by[k][1] * y + by[k][2] * z + by[k][3];
-}
-struct TypeTransform : Type<q16_16> {
-  static void run(const View<in, out>& v, std::size_t count) {
-    const auto by = v.rows;
-    const in* __restrict a = v.a;
-    const in* __restrict b = v.b;
-    const in* __restrict c = v.c;
-    out* __restrict x = v.x;
-    out* __restrict y = v.y;
-    out* __restrict z = v.z;
-    for (std::size_t i = 0; i < count; ++i) {
-      x[i] = moved(by, 0, a[i], b[i], c[i]);
-      y[i] = moved(by, 1, a[i], b[i], c[i]);
-      z[i] = moved(by, 2, a[i], b[i], c[i]);
-    }
+struct TypeRow {
+  using number = q16_16;
+  static constexpr const char* name = "type";
+  static q16_16 of(const std::array<q16_16, 4>& row, const q16_16& x, const q16_16& y,
+                   const q16_16& z) {
+    return row[0] * x + row[1] * y + row[2] * z + row[3];
   }
 };
-struct TypeTransformInterleaved : Type<std::array<q16_16, 3>> {
-  static void run(const View<in, out>& v, std::size_t count) {
-    const auto by = v.rows;
-    const in* __restrict from = v.a;
-    out* __restrict to = v.x;
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        to[i][k] = moved(by, k, from[i][0], from[i][1], from[i][2]);
-      }
-    }
-  }
-};
+using TypeTransform = Columns<TypeRow>;
+using TypeTransformInterleaved = Interleaved<TypeRow>;
 
 template <class N>
 struct BatchMultiply : Batch<N> {

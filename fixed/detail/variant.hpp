@@ -8,8 +8,8 @@
 /// FIXED_SMALL, and each calls its own functions.
 ///
 /// FIXED_SMALL also makes hardware_double false (hardware.hpp). What depends on that keeps its
-/// name, and has the same bits either way: roots, divides in double, conversions from double, and
-/// batches. So a program whose translation units differ may have either code of these.
+/// name, and has the same bits either way: roots, divides in double, and batches. So a program
+/// whose translation units differ may have either code of these.
 ///
 /// Constant expressions always compute in words, because compilers limit the number of their steps.
 /// The functions in digits ask __builtin_is_constant_evaluated(): for std::is_constant_evaluated(),

@@ -53,13 +53,33 @@ Scene moved_to(const Page3& page) {
   return scene;
 }
 
+/// Balls of 3,962 vertices each, in a row away from the viewer.
+std::vector<ObjectDescription> balls(int count) {
+  std::vector<ObjectDescription> all(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    ObjectDescription& one = all[static_cast<std::size_t>(i)];
+    one =
+        pipeline::body(ball(30, max_bands), {-60.5 + 7 * i, 50.0 - 9 * (i % 12), -300.0 - 40 * i});
+    one.spin.tenths = {10, -25 + i, 5};
+  }
+  return all;
+}
+
+/// Enough vertices for three threads.
+Scene large() {
+  Scene scene = moved_to({0, 0, 0});
+  scene.objects[1].surface.kind = SurfaceKind::texture;
+  std::ranges::move(balls(31), std::back_inserter(scene.objects));
+  return scene;
+}
+
 TYPED_TEST(AnimationOf, IsTheSameOnAnyNumberOfThreads) {
-  for (const std::size_t threads : {2U, 3U, 9U}) {
-    Scene scene = moved_to({0, 0, 0});
-    scene.objects[1].surface.kind = SurfaceKind::texture;
+  const Scene scene = large();
+  for (const std::size_t threads : {2U, 3U}) {
     Animation<TypeParam> alone(scene);
     Animation<TypeParam> shared(scene, threads);
-    for (int frame = 0; frame < 20; ++frame) {
+    ASSERT_EQ(shared.threads(), threads);
+    for (int frame = 0; frame < 3; ++frame) {
       Picture one;
       Picture other;
       EXPECT_EQ(alone.draw(one).out_of_reach, shared.draw(other).out_of_reach);
@@ -70,13 +90,32 @@ TYPED_TEST(AnimationOf, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
+TEST(UsefulThreads, ASmallSceneTakesOne) {
+  EXPECT_EQ(Animation<double>(moved_to({0, 0, 0}), 9).threads(), 1U);
+  EXPECT_EQ(useful_threads(large(), 9), 3U);
+  EXPECT_EQ(useful_threads(large(), 0), 1U);
+  EXPECT_EQ(useful_threads(pipeline::scene(frame_side, {}), 2), 1U);
+}
+
+TEST(UsefulThreads, NoneHasLessThanAnObject) {
+  ObjectDescription heavy = pipeline::body(cube(1), {});
+  heavy.mesh.vertices.resize(2 * vertices_per_thread);
+  EXPECT_EQ(useful_threads(pipeline::scene(frame_side, {heavy}), 2), 1U);
+  EXPECT_EQ(useful_threads(pipeline::scene(frame_side, {heavy, spinning(9, {})}), 2), 2U);
+  heavy.mesh.vertices.resize(2 * vertices_per_thread - 9);  // and eight of the cube
+  EXPECT_EQ(useful_threads(pipeline::scene(frame_side, {heavy, spinning(9, {})}), 2), 1U);
+}
+
 /// An invisible object with an interpolated surface gives the other objects no values.
 TYPED_TEST(AnimationOf, HasNoValuesWhereNothingIsInterpolated) {
-  Scene scene =
-      pipeline::scene(frame_side, {spinning(40, {0, 0, -600}), spinning(40, {0, 0, 600})});
-  scene.objects[1].surface.kind = SurfaceKind::texture;
+  std::vector<ObjectDescription> objects = balls(21);
+  for (ObjectDescription& object : objects) object.position[2] = 600;
+  objects[20].surface.kind = SurfaceKind::texture;
+  objects.insert(objects.begin(), spinning(40, {0, 0, -600}));
+  const Scene scene = pipeline::scene(frame_side, std::move(objects));
   for (const std::size_t threads : {1U, 2U}) {
     Animation<TypeParam> animation(scene, threads);
+    ASSERT_EQ(animation.threads(), threads);
     Picture picture;
     animation.draw(picture);
     EXPECT_FALSE(picture.points.empty());
