@@ -188,7 +188,8 @@ void add_desync(CLI::App& app, int& status) {
       R"(A program that computes with fixproof::recorded<q16_16> writes such a log (docs/recorder.md).
 The first comparison names a block of up to 1,024 records. Run both programs again with the range
 that it prints. The second comparison then shows the operation.
-Exit status: 0 if there is no difference, 1 if there is one, 2 if a log cannot be read.
+Exit status: 0 if there is no difference, 1 if there is one, 2 if a log cannot be read or nothing
+was compared.
 
 Examples:
   fixproof desync mine.log theirs.log           # names the block
@@ -204,6 +205,11 @@ Examples:
     print_log("A", a);
     print_log("B", b);
     const Comparison found = options->rollback ? compare_last_frames(a, b) : compare(a, b);
+    if (found.blocks == 0) {
+      throw support::UsageError(
+          fmt::format("{} and {} have no {} in common, so nothing was compared", options->a,
+                      options->b, options->rollback ? "frame" : "block"));
+    }
     status = print(found, a, b, options->rollback);
   });
 }
