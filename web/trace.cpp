@@ -25,19 +25,22 @@ constexpr std::array<std::string_view, x86::routine_count> routine_names{"mul", 
 // after state
 std::vector<Run> runs;
 
-std::string_view ending_of(const Run& run) {
-  if (run.lacks_instruction) return "reaches what an 8088 does not have";
+/// Returns how a run ended, as a sentence.
+std::string ending_of(const Run& run) {
+  const std::string place = "instruction " + std::to_string(run.ending.position);
+  if (run.lacks_instruction) return "Stops at " + place + ", which an 8088 does not have.";
   switch (run.ending.outcome) {
     case x86::Outcome::returned:
-      return "returns";
+      return "Returns.";
     case x86::Outcome::divide_error:
-      return "#DE: divide error";
+      return "Ends with a divide error (#DE) at " + place + ".";
     case x86::Outcome::undefined_flag:
-      return "reads a flag that Intel leaves undefined";
+      return "Stops: " + place + " reads a flag that Intel leaves undefined.";
     case x86::Outcome::step_limit:
-      return run.is_loop ? "still draws after 1,000 instructions," : "does not end";
+      static_assert(most_instructions == 1000);
+      return run.is_loop ? "Still draws after 1,000 instructions." : "Does not end.";
     default:
-      return "accesses memory outside its segment";
+      return "Stops: " + place + " accesses memory outside its segment.";
   }
 }
 
@@ -74,16 +77,9 @@ std::string wrong_number(std::string_view name, std::size_t wanted, std::size_t 
 /// Returns an operand as a word of a format, or 0.
 /// @param error receives what is wrong with it; unchanged if it is right
 std::uint32_t word_of(std::string_view part, std::string_view format_name, std::string& error) {
-  const NumberFormat& format = *format_named(format_name);
-  const Operand operand = operand_of(part, format);
-  const auto word = operand.error.empty() ? format.read(operand.decimal).word : std::nullopt;
-  if (!word) {
-    error = std::string(part) + ": " +
-            (operand.error.empty()
-                 ? "out of the range of " + std::string(format_name) + ", " + range_of(format) + "."
-                 : operand.error);
-  }
-  return static_cast<std::uint32_t>(word.value_or(0));
+  const WordOperand operand = word_operand_of(part, *format_named(format_name));
+  if (!operand.error.empty()) error = std::string(part) + ": " + operand.error;
+  return static_cast<std::uint32_t>(operand.word);
 }
 
 /// Returns the operands as words.
@@ -148,7 +144,6 @@ void write_run(Json& json, const Run& run) {
   json.field("returns", !run.lacks_instruction && run.ending.outcome == x86::Outcome::returned);
   json.field("ending", ending_of(run));
   json.field("stopped", run.ending.position);
-  json.field("clocks", text_of(run.snapshots.back().clocks));
   json.array("result", [&] {
     for (const std::uint32_t word : run.result) {
       json.object([&] {

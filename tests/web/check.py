@@ -217,7 +217,7 @@ def cases(driver):
     expect_equal([instruction(driver, ".current"), changed(driver, ".registers")],
                  [["loop .Pixel", "dec ecx"], ["ecx0000ffff", "ecxffffffff"]], "the count after the first pixel")
     driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.END)
-    expect(all("still draws" in ending for ending in results(driver)), f"the loops end so: {results(driver)}")
+    expect(all("Still draws" in ending for ending in results(driver)), f"the loops end so: {results(driver)}")
     follow(driver, "The odd pixel")
     seven = ["20", "21", "22", "23", "24", "25", "26"]
     expect_equal(pixels(driver), [seven[:6] + ["00"] * 2, seven + ["00"]], "pixels in pairs and one by one")
