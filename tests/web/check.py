@@ -166,7 +166,7 @@ def cases(driver):
         "The fault that disappears": ["80010000", none, none, none],
         "Halves that split two builds": ["00000000", "ffffffff", "ffffffff", "00000000"],
         "A divisor loses its fraction": ["00008000", "00007fff", "0000ffff", "0000ffff"],
-        "One is too small to divide by": ["00010001", "00010001", none, none],
+        "Too small to divide by": ["00010001", "00010001", none, none],
         "Half a unit, and less": ["00000001", "00000000", "00000001", "00000000"],
         # Without rounding, half a unit below 160 is one unit below it.
         "Width, or half the width": ["00a00000", "009fffff", "00a00000", "009fffff"]}
