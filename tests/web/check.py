@@ -99,7 +99,7 @@ def bits(driver):
     expect_equal(cells(driver, "#view", "q16_16")[1:],
                  ["00018002", "1.500030517578125", "0", "0", "1.5000152587890625", "1.5000457763671875", "agree"],
                  "bit 1 flipped")
-    expect("0x00018002" in driver.current_url, f"the address is {driver.current_url}")
+    WebDriverWait(driver, 20).until(lambda d: "0x00018002" in d.current_url)
     box = driver.find_element(By.CSS_SELECTOR, "input[name=Number]")
     box.clear()
     box.send_keys("-32768.00001")
@@ -266,7 +266,7 @@ def keyboard(driver):
     button.send_keys(Keys.ARROW_LEFT)
     expect("eax40000000" in text(driver, ".registers") and "CF1" in text(driver, ".flags"), "a step back")
     expect("PF?" in text(driver, ".flags"), "an undefined flag")
-    expect("step=4" in driver.current_url, driver.current_url)
+    WebDriverWait(driver, 20).until(lambda d: "step=4" in d.current_url)
     open_page(driver, "#view=scenes&play=no")
     driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.ENTER)
     WebDriverWait(driver, 10).until(lambda d: text(d, '[data-part="frame"]') == "1")
