@@ -32,6 +32,7 @@ std::size_t answered(std::string answer) {
 }  // namespace
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): an attribute needs the name as a literal
 #define FIXPROOF_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
 /// Where the page writes requests, and the size of that buffer in bytes.

@@ -40,9 +40,10 @@ Operand operand_of(std::string_view text, const NumberFormat& format) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   if (text.empty()) return {.error = "Type a number: 1.5, 0x18000 or 0b11."};
-  if (text.size() > longest_operand)
+  if (text.size() > longest_operand) {
     return {.error = "The number is longer than " + std::to_string(longest_operand) +
                      " characters. Shorten it."};
+  }
   const int bits = format.format.word_bits;
   if (text.size() > 1 && text[0] == '0' &&
       std::string_view("xXbB").find(text[1]) != std::string_view::npos) {
@@ -57,10 +58,11 @@ Operand operand_of(std::string_view text, const NumberFormat& format) {
             .decimal = format.write(*word)};
   }
   const auto exact = oracle::decimal_value(text);
-  if (!exact)
+  if (!exact) {
     return {.error =
                 "Not a number. Write digits with at most one point, 0x and hexadecimal digits, or "
                 "0b and bits."};
+  }
   return {.exact = *exact, .decimal = std::string(text)};
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <span>
 
 #include "singlestep/shown.hpp"
 #include "web/json.hpp"
@@ -21,8 +22,8 @@ namespace x86 = x86model;
 constexpr std::array<std::string_view, x86::routine_count> routine_names{"mul", "div", "cossin",
                                                                          "xformvec", "concat"};
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): the page asks for state
-// after state
+// The page asks for state after state.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::vector<Run> runs;
 
 /// Returns how a run ended, as a sentence.
@@ -128,6 +129,39 @@ x86::LoopCall loop_operands_of(std::string_view loop, std::string_view text, std
   return call;
 }
 
+/// What a request for a trace asks for.
+struct Wanted {
+  std::string error{};   ///< what is wrong with the request; empty if it is right
+  bool is_loop = false;  ///< an inner loop, which takes `call`; a routine takes `words`
+  x86::Routine routine{};
+  std::vector<std::uint32_t> words{};
+  x86::LoopCall call{};
+};
+
+Wanted wanted_by(std::span<const std::string_view> lines) {
+  if (lines.size() != 4) return {.error = "Choose a routine, builds and operands."};
+  const auto* const named = std::find(routine_names.begin(), routine_names.end(), lines[0]);
+  const bool is_routine = named != routine_names.end();
+  Wanted wanted{.is_loop =
+                    std::find(loop_names.begin(), loop_names.end(), lines[0]) != loop_names.end()};
+  if (!is_routine && !wanted.is_loop) return {.error = "Choose one of the routines."};
+  if (is_routine) wanted.routine = static_cast<x86::Routine>(named - routine_names.begin());
+  const auto builds = is_routine ? builds_of(wanted.routine) : builds_of_loop(lines[0]);
+  const auto is_known = [&](std::string_view name) {
+    return std::find(builds.begin(), builds.end(), name) != builds.end();
+  };
+  if (is_routine) {
+    wanted.words = operands_of(wanted.routine, lines[3], wanted.error);
+  } else {
+    wanted.call = loop_operands_of(lines[0], lines[3], wanted.error);
+  }
+  if (wanted.error.empty() &&
+      (!is_known(lines[1]) || (lines[2] != "none" && !is_known(lines[2])))) {
+    wanted.error = "The routine has no such build. Choose another.";
+  }
+  return wanted;
+}
+
 void write_run(Json& json, const Run& run) {
   const NumberFormat& format = *format_named("q16_16");
   json.field("name", run.name);
@@ -224,38 +258,18 @@ std::string routines() {
 
 std::string trace(std::string_view request) {
   const auto lines = lines_of(request);
-  std::string error;
-  std::vector<std::uint32_t> words;
-  x86::LoopCall call;
-  if (lines.size() != 4) error = "Choose a routine, builds and operands.";
-  const auto* const named = std::find(routine_names.begin(), routine_names.end(), lines[0]);
-  const bool is_loop =
-      std::find(loop_names.begin(), loop_names.end(), lines[0]) != loop_names.end();
-  const auto routine = static_cast<x86::Routine>(named - routine_names.begin());
-  if (error.empty() && named == routine_names.end() && !is_loop) {
-    error = "Choose one of the routines.";
-  }
-  if (error.empty() && is_loop) call = loop_operands_of(lines[0], lines[3], error);
-  if (error.empty() && !is_loop) words = operands_of(routine, lines[3], error);
-  if (error.empty()) {
-    const auto builds = is_loop ? builds_of_loop(lines[0]) : builds_of(routine);
-    const auto is_known = [&](std::string_view name) {
-      return std::find(builds.begin(), builds.end(), name) != builds.end();
-    };
-    if (!is_known(lines[1]) || (lines[2] != "none" && !is_known(lines[2]))) {
-      error = "The routine has no such build. Choose another.";
-    }
-  }
+  const Wanted wanted = wanted_by(lines);
   Json json;
   json.object([&] {
-    if (!error.empty()) {
-      json.field("error", error);
+    if (!wanted.error.empty()) {
+      json.field("error", wanted.error);
       return;
     }
     runs.clear();
     for (const std::string_view build : {lines[1], lines[2]}) {
       if (build == "none") continue;
-      runs.push_back(is_loop ? record_loop(lines[0], build, call) : record(routine, build, words));
+      runs.push_back(wanted.is_loop ? record_loop(lines[0], build, wanted.call)
+                                    : record(wanted.routine, build, wanted.words));
     }
     json.array("runs", [&] {
       for (const Run& run : runs) json.object([&] { write_run(json, run); });
