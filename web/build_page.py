@@ -9,6 +9,7 @@ should be.
 import base64
 import gzip
 import hashlib
+import html
 import pathlib
 import re
 import sys
@@ -69,7 +70,8 @@ def main():
     packed = base64.b64encode(gzip.compress(module.read_bytes(), 9, mtime=0)).decode()
     policy = (f"default-src 'none'; script-src {source_hash(script)} 'wasm-unsafe-eval'; "
               f"style-src {source_hash(style)}; base-uri 'none'; form-action 'none'")
-    licences = ((HERE / "vendor/lit-html.LICENSE").read_text(), (HERE.parent / "LICENSE").read_text())
+    licences = [html.escape(file.read_text(), quote=False)
+                for file in (HERE / "vendor/lit-html.LICENSE", HERE.parent / "LICENSE")]
     page = (HERE / "page/page.html").read_text()
     for place, text in (("policy", policy), ("style", style), ("module", packed), ("script", script),
                         ("library-licence", licences[0]), ("own-licence", licences[1])):

@@ -1,6 +1,6 @@
 /// @file
-/// Writes JSON text. This writer takes a few hundred bytes of the module; nlohmann/json would take
-/// half of it.
+/// Writes JSON text. This writer takes a few hundred bytes; nlohmann/json would take half of the
+/// module.
 #pragma once
 
 #include <concepts>

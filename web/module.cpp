@@ -32,6 +32,7 @@ std::size_t answered(std::string answer) {
 }  // namespace
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): an attribute needs the name as a literal
 #define FIXPROOF_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
 /// Where the page writes requests, and the size of that buffer in bytes.
@@ -63,9 +64,8 @@ FIXPROOF_EXPORT(stage_open)
 void stage_open(std::size_t scene, std::size_t played, std::size_t compared) {
   stage = std::make_unique<fixproof::web::Stage>(scene, std::array{played, compared});
 }
-FIXPROOF_EXPORT(stage_switch) void stage_switch(std::size_t side, std::size_t arithmetic) {
-  stage->switch_arithmetic(
-      side == 0 ? fixproof::web::Stage::played : fixproof::web::Stage::compared, arithmetic);
+FIXPROOF_EXPORT(stage_switch) void stage_switch(std::size_t arithmetic) {
+  stage->switch_arithmetic(arithmetic);
 }
 FIXPROOF_EXPORT(stage_seek) std::uint32_t stage_seek(std::uint32_t frame, std::uint32_t moves) {
   return stage->seek(frame, moves);

@@ -40,8 +40,10 @@ Operand operand_of(std::string_view text, const NumberFormat& format) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   if (text.empty()) return {.error = "Type a number: 1.5, 0x18000 or 0b11."};
-  if (text.size() > longest_operand)
-    return {.error = "The number is longer than 100 characters. Shorten it."};
+  if (text.size() > longest_operand) {
+    return {.error = "The number is longer than " + std::to_string(longest_operand) +
+                     " characters. Shorten it."};
+  }
   const int bits = format.format.word_bits;
   if (text.size() > 1 && text[0] == '0' &&
       std::string_view("xXbB").find(text[1]) != std::string_view::npos) {
@@ -56,11 +58,23 @@ Operand operand_of(std::string_view text, const NumberFormat& format) {
             .decimal = format.write(*word)};
   }
   const auto exact = oracle::decimal_value(text);
-  if (!exact)
+  if (!exact) {
     return {.error =
                 "Not a number. Write digits with at most one point, 0x and hexadecimal digits, or "
                 "0b and bits."};
+  }
   return {.exact = *exact, .decimal = std::string(text)};
+}
+
+WordOperand word_operand_of(std::string_view text, const NumberFormat& format) {
+  const Operand operand = operand_of(text, format);
+  if (!operand.error.empty()) return {.error = operand.error};
+  const auto word = format.read(operand.decimal).word;
+  if (!word) {
+    return {.error = "Out of the range of " + format_name(format.format) + ", " + range_of(format) +
+                     "."};
+  }
+  return {.word = *word};
 }
 
 }  // namespace fixproof::web

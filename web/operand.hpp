@@ -24,6 +24,15 @@ inline constexpr std::size_t longest_operand = 100;
 /// Reads decimal text, or a word of the format after `0x` or `0b`.
 Operand operand_of(std::string_view text, const NumberFormat& format);
 
+/// An operand as a word of a format.
+struct WordOperand {
+  std::string error{};  ///< what is wrong with the text; empty if it is right
+  std::uint64_t word = 0;
+};
+
+/// Reads what operand_of() reads, and rounds it to a word of the format.
+WordOperand word_operand_of(std::string_view text, const NumberFormat& format);
+
 oracle::Format oracle_format(const cases::Format& format);
 
 /// Returns the range of a format, such as `-32768 to 32767.9999847412109375`.

@@ -74,11 +74,12 @@ void write_word(Json& json, std::uint64_t word, const std::optional<oracle::Rati
 void write_rules(Json& json, Operation operation, std::uint64_t a, std::uint64_t b,
                  const NumberFormat& format, const std::optional<oracle::Ratio>& exact) {
   const oracle::Format f = oracle_format(format.format);
-  for (std::size_t i = 0; i < rules.size(); ++i) {
+  const bool root = operation == Operation::sqrt;  // rounded to nearest by every rule
+  for (std::size_t i = 0; i < (root ? 1U : rules.size()); ++i) {
     json.object([&] {
       const auto expected = rounded_units(operation, a, b, oracle_rules[i], f);
       const auto word = format.answer[i](operation, a, b);
-      json.field("name", rule_names[i]);
+      json.field("name", root ? "to nearest" : rule_names[i]);
       json.field("agrees", agrees(word, expected, f));
       json.field("wraps", expected && !oracle::fits(*expected, f));
       if (word) write_word(json, *word, exact, format);
@@ -110,15 +111,6 @@ void write_builds(Json& json, Operation operation, std::uint64_t a, std::uint64_
   }
 }
 
-void write_operand(Json& json, std::string_view name, const Operand& operand, std::uint64_t word,
-                   const NumberFormat& format) {
-  json.object(name, [&] {
-    json.field("word", hex(word, format.format.word_bits));
-    json.field("value", format.write(word));
-    json.field("typed", decimal_text(operand.exact.numerator, operand.exact.denominator, 40));
-  });
-}
-
 }  // namespace
 
 std::string operation_view(std::string_view request) {
@@ -133,25 +125,19 @@ std::string operation_view(std::string_view request) {
     }
     const bool unary = *operation == Operation::sqrt;
     std::array<std::uint64_t, 2> words{};
-    std::array<Operand, 2> operands{};
     for (std::size_t i = 0; i < (unary ? 1U : 2U); ++i) {
-      operands[i] = operand_of(lines[2 + i], *format);
-      const auto read = operands[i].error.empty() ? format->read(operands[i].decimal) : Reading{};
-      if (operands[i].error.empty() && !read.word) {
-        operands[i].error =
-            "Out of the range of " + format_name(format->format) + ", " + range_of(*format) + ".";
-      }
-      if (!operands[i].error.empty()) {
-        json.field("error", (i == 0 ? "First number: " : "Second number: ") + operands[i].error);
+      const WordOperand operand = word_operand_of(lines[2 + i], *format);
+      if (!operand.error.empty()) {
+        json.field("error", (i == 0 ? "First number: " : "Second number: ") + operand.error);
         return;
       }
-      words[i] = *read.word;
+      words[i] = operand.word;
     }
     const oracle::Format f = oracle_format(format->format);
     const auto exact = exact_units(*operation, oracle::ulps(words[0], f), oracle::ulps(words[1], f),
                                    f.fraction_bits);
-    write_operand(json, "first", operands[0], words[0], *format);
-    if (!unary) write_operand(json, "second", operands[1], words[1], *format);
+    json.object("first", [&] { write_word(json, words[0], std::nullopt, *format); });
+    json.object("second", [&] { write_word(json, words[1], std::nullopt, *format); });
     if (exact) {
       const Integer scale = exact->denominator * (Integer(1) << f.fraction_bits);
       const Integer below =
@@ -159,7 +145,9 @@ std::string operation_view(std::string_view request) {
       json.field("exact", decimal_text(exact->numerator, scale, 60));
       json.field("between", decimal_text(exact->numerator - below * exact->denominator,
                                          exact->denominator, 6));
-      json.field("fits", oracle::fits(below, f));
+      // The exact result is in range if it lies between two words of the format, or on one.
+      const bool whole = below * exact->denominator == exact->numerator;
+      json.field("fits", oracle::fits(below, f) && (whole || oracle::fits(below + 1, f)));
       json.object("below",
                   [&] { write_word(json, oracle::wrap(below, f), std::nullopt, *format); });
       json.object("above",

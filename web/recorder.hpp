@@ -59,7 +59,8 @@ Run record(x86model::Routine routine, std::string_view build, std::span<const st
 inline constexpr std::array<std::string_view, 3> loop_names{"gouraud", "depth", "texture"};
 
 /// Returns the builds of an inner loop, such as `byte-i386-loop` of gouraud and
-/// `i386-dec-jnz-printed` of depth. There are none of the unrolled loops: they have 320 copies.
+/// `i386-dec-jnz-printed` of depth. The unrolled loops are left out, because they have up to 320
+/// copies of the code for one pixel.
 std::vector<std::string> builds_of_loop(std::string_view loop);
 
 /// The most pixels that the page asks of a loop.
@@ -68,9 +69,9 @@ inline constexpr std::uint32_t most_pixels = 64;
 /// 0 draws 65,536 pixels or more.
 inline constexpr std::uint64_t most_instructions = 1000;
 
-/// Runs one of builds_of_loop(loop) and records every state. Bytes and words start at 2800h in a
-/// segment of their own. DepthTest draws in AL = ffh at Screen, over a depth buffer of 0. A texel
-/// is the sum of its row and its column, modulo 256.
+/// Runs one of builds_of_loop(loop) and records every state. DepthTest draws pixels of AL = ffh at
+/// Screen, over a depth buffer of zeros. The other loops draw from 2800h in a segment of their own.
+/// A texel is the sum of its row and its column, modulo 256.
 /// @param call at most most_pixels pixels; its place and colour are ignored
 Run record_loop(std::string_view loop, std::string_view build, x86model::LoopCall call);
 

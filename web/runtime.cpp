@@ -2,10 +2,11 @@
 #include <cstddef>
 #include <cstdint>
 
+// NOLINTBEGIN(bugprone-reserved-identifier): the names are the compiler's
 extern "C" {
 
 // Debian compiles the compiler's runtime library with stack protectors.
-// NOLINTNEXTLINE: the names are the compiler's
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::uintptr_t __stack_chk_guard = 0x2F8A61C3;
 [[noreturn]] void __stack_chk_fail() { __builtin_trap(); }
 
@@ -16,3 +17,4 @@ void* __cxa_allocate_exception(std::size_t /*size*/) { __builtin_trap(); }
   __builtin_trap();
 }
 }
+// NOLINTEND(bugprone-reserved-identifier)

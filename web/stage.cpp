@@ -82,8 +82,8 @@ void Stage::start(Playing& side) {
       scene_.width, scene_.height, scene_.palette, scene_.background, side.surfaces.get());
 }
 
-void Stage::switch_arithmetic(Side side, std::size_t arithmetic) {
-  Playing& playing = sides_.at(side);
+void Stage::switch_arithmetic(std::size_t arithmetic) {
+  Playing& playing = sides_.at(played);
   arithmetic = std::min(arithmetic, exact);
   const bool other_numbers = (arithmetic == exact) != (playing.arithmetic == exact);
   playing.arithmetic = arithmetic;

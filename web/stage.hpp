@@ -32,10 +32,10 @@ class Stage {
   /// @param arithmetics an index of the arithmetics of stages() for each side
   Stage(std::size_t scene, std::array<std::size_t, 2> arithmetics);
 
-  /// Switches the arithmetic of a side at the current frame, and keeps the positions that the old
-  /// one computed. A switch to or from the exact arithmetic, which has other numbers, restarts the
-  /// side from its first frame.
-  void switch_arithmetic(Side side, std::size_t arithmetic);
+  /// Switches the played arithmetic at the current frame, and keeps the positions that the old one
+  /// computed. A switch to or from the exact arithmetic, which has other numbers, restarts the
+  /// played side from its first frame.
+  void switch_arithmetic(std::size_t arithmetic);
 
   /// Moves both sides towards a frame, by at most `moves` frames each. For an earlier frame, a side
   /// restarts from its first frame.

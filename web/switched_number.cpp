@@ -37,6 +37,7 @@ Transform<N> as(const Transform<Switched>& t) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): switch_to() sets it
 bool Arithmetic<Switched>::divides_by_whole_part = false;
 
 std::optional<Switched> Arithmetic<Switched>::divide(N n, N d) {

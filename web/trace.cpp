@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <span>
 
 #include "singlestep/shown.hpp"
 #include "web/json.hpp"
@@ -21,23 +22,26 @@ namespace x86 = x86model;
 constexpr std::array<std::string_view, x86::routine_count> routine_names{"mul", "div", "cossin",
                                                                          "xformvec", "concat"};
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): the page asks for state
-// after state
+// The page asks for state after state.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::vector<Run> runs;
 
-std::string_view ending_of(const Run& run) {
-  if (run.lacks_instruction) return "reaches what an 8088 does not have";
+/// Returns how a run ended, as a sentence.
+std::string ending_of(const Run& run) {
+  const std::string place = "instruction " + std::to_string(run.ending.position);
+  if (run.lacks_instruction) return "Stops at " + place + ", which an 8088 does not have.";
   switch (run.ending.outcome) {
     case x86::Outcome::returned:
-      return "returns";
+      return "Returns.";
     case x86::Outcome::divide_error:
-      return "#DE: divide error";
+      return "Ends with a divide error (#DE) at " + place + ".";
     case x86::Outcome::undefined_flag:
-      return "reads a flag that Intel leaves undefined";
+      return "Stops: " + place + " reads a flag that Intel leaves undefined.";
     case x86::Outcome::step_limit:
-      return run.is_loop ? "still draws after 1,000 instructions," : "does not end";
+      static_assert(most_instructions == 1000);
+      return run.is_loop ? "Still draws after 1,000 instructions." : "Does not end.";
     default:
-      return "accesses memory outside its segment";
+      return "Stops: " + place + " accesses memory outside its segment.";
   }
 }
 
@@ -74,16 +78,9 @@ std::string wrong_number(std::string_view name, std::size_t wanted, std::size_t 
 /// Returns an operand as a word of a format, or 0.
 /// @param error receives what is wrong with it; unchanged if it is right
 std::uint32_t word_of(std::string_view part, std::string_view format_name, std::string& error) {
-  const NumberFormat& format = *format_named(format_name);
-  const Operand operand = operand_of(part, format);
-  const auto word = operand.error.empty() ? format.read(operand.decimal).word : std::nullopt;
-  if (!word) {
-    error = std::string(part) + ": " +
-            (operand.error.empty()
-                 ? "out of the range of " + std::string(format_name) + ", " + range_of(format) + "."
-                 : operand.error);
-  }
-  return static_cast<std::uint32_t>(word.value_or(0));
+  const WordOperand operand = word_operand_of(part, *format_named(format_name));
+  if (!operand.error.empty()) error = std::string(part) + ": " + operand.error;
+  return static_cast<std::uint32_t>(operand.word);
 }
 
 /// Returns the operands as words.
@@ -132,6 +129,39 @@ x86::LoopCall loop_operands_of(std::string_view loop, std::string_view text, std
   return call;
 }
 
+/// What a request for a trace asks for.
+struct Wanted {
+  std::string error{};   ///< what is wrong with the request; empty if it is right
+  bool is_loop = false;  ///< an inner loop, which takes `call`; a routine takes `words`
+  x86::Routine routine{};
+  std::vector<std::uint32_t> words{};
+  x86::LoopCall call{};
+};
+
+Wanted wanted_by(std::span<const std::string_view> lines) {
+  if (lines.size() != 4) return {.error = "Choose a routine, builds and operands."};
+  const auto* const named = std::find(routine_names.begin(), routine_names.end(), lines[0]);
+  const bool is_routine = named != routine_names.end();
+  Wanted wanted{.is_loop =
+                    std::find(loop_names.begin(), loop_names.end(), lines[0]) != loop_names.end()};
+  if (!is_routine && !wanted.is_loop) return {.error = "Choose one of the routines."};
+  if (is_routine) wanted.routine = static_cast<x86::Routine>(named - routine_names.begin());
+  const auto builds = is_routine ? builds_of(wanted.routine) : builds_of_loop(lines[0]);
+  const auto is_known = [&](std::string_view name) {
+    return std::find(builds.begin(), builds.end(), name) != builds.end();
+  };
+  if (is_routine) {
+    wanted.words = operands_of(wanted.routine, lines[3], wanted.error);
+  } else {
+    wanted.call = loop_operands_of(lines[0], lines[3], wanted.error);
+  }
+  if (wanted.error.empty() &&
+      (!is_known(lines[1]) || (lines[2] != "none" && !is_known(lines[2])))) {
+    wanted.error = "The routine has no such build. Choose another.";
+  }
+  return wanted;
+}
+
 void write_run(Json& json, const Run& run) {
   const NumberFormat& format = *format_named("q16_16");
   json.field("name", run.name);
@@ -148,7 +178,6 @@ void write_run(Json& json, const Run& run) {
   json.field("returns", !run.lacks_instruction && run.ending.outcome == x86::Outcome::returned);
   json.field("ending", ending_of(run));
   json.field("stopped", run.ending.position);
-  json.field("clocks", text_of(run.snapshots.back().clocks));
   json.array("result", [&] {
     for (const std::uint32_t word : run.result) {
       json.object([&] {
@@ -229,38 +258,18 @@ std::string routines() {
 
 std::string trace(std::string_view request) {
   const auto lines = lines_of(request);
-  std::string error;
-  std::vector<std::uint32_t> words;
-  x86::LoopCall call;
-  if (lines.size() != 4) error = "Choose a routine, builds and operands.";
-  const auto* const named = std::find(routine_names.begin(), routine_names.end(), lines[0]);
-  const bool is_loop =
-      std::find(loop_names.begin(), loop_names.end(), lines[0]) != loop_names.end();
-  const auto routine = static_cast<x86::Routine>(named - routine_names.begin());
-  if (error.empty() && named == routine_names.end() && !is_loop) {
-    error = "Choose one of the routines.";
-  }
-  if (error.empty() && is_loop) call = loop_operands_of(lines[0], lines[3], error);
-  if (error.empty() && !is_loop) words = operands_of(routine, lines[3], error);
-  if (error.empty()) {
-    const auto builds = is_loop ? builds_of_loop(lines[0]) : builds_of(routine);
-    const auto is_known = [&](std::string_view name) {
-      return std::find(builds.begin(), builds.end(), name) != builds.end();
-    };
-    if (!is_known(lines[1]) || (lines[2] != "none" && !is_known(lines[2]))) {
-      error = "The routine has no such build. Choose another.";
-    }
-  }
+  const Wanted wanted = wanted_by(lines);
   Json json;
   json.object([&] {
-    if (!error.empty()) {
-      json.field("error", error);
+    if (!wanted.error.empty()) {
+      json.field("error", wanted.error);
       return;
     }
     runs.clear();
     for (const std::string_view build : {lines[1], lines[2]}) {
       if (build == "none") continue;
-      runs.push_back(is_loop ? record_loop(lines[0], build, call) : record(routine, build, words));
+      runs.push_back(wanted.is_loop ? record_loop(lines[0], build, wanted.call)
+                                    : record(wanted.routine, build, wanted.words));
     }
     json.array("runs", [&] {
       for (const Run& run : runs) json.object([&] { write_run(json, run); });

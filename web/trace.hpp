@@ -23,7 +23,8 @@ std::string routines();
 std::string trace(std::string_view request);
 
 /// Returns the state of the machine after a number of instructions of a recorded run.
-/// @param request two lines: the run, 0 or 1, and the number; one beyond the end means the end
+/// @param request two lines: the run, 0 or 1, and the number of instructions. A number that is
+/// larger than the run's means its end.
 /// @return JSON
 std::string state(std::string_view request);
 

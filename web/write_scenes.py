@@ -51,8 +51,8 @@ SPOT = fields("Spot", {"on": number, "direction": braces, "intensity": braces})
 LIGHTS = fields("Lights", {"ambient_on": number, "ambient": braces,
                            "spots": lambda spots: "{" + ", ".join(map(SPOT, spots)) + "}"})
 CAMERA = fields("Camera", {"page": braces, "position": braces, "turn_tenths": braces})
-SCENE = {"name": json.dumps, "width": number, "height": number, "frames_per_second": number, "conversion": word("Conversion"),
-         "trigonometry": word("Trigonometry"), "depth_key": word("DepthKey"), "palette": word("PaletteKind"),
+SCENE = {"name": json.dumps, "width": number, "height": number, "frames_per_second": number,
+         "conversion": word("Conversion"), "trigonometry": word("Trigonometry"), "depth_key": word("DepthKey"), "palette": word("PaletteKind"),
          "near": number, "restore_every": number, "camera": CAMERA, "lights": LIGHTS}
 OBJECT = {"name": json.dumps, "page": braces, "position": braces, "spin": SPIN, "drift": DRIFT, "orbit": ORBIT}
 PAINTS = ("paint", "paints", "checks")
@@ -71,7 +71,7 @@ def write_object(lines, values):
     (shape, size), = values.pop("shape").items()
     around = 2 * size.get("bands", 0)
     lines.append(f"    o.mesh = {shape}({', '.join(number(v) for v in size.values())});")
-    kind, = PAINTS & values.keys()
+    kind, = values.keys() & set(PAINTS)
     given = values.pop(kind)
     if kind == "paint":
         lines.append(f"    o.paints.assign(o.mesh.faces.size(), Paint{paint(given)});")
@@ -125,8 +125,8 @@ def main():
     names = ", ".join(json.dumps(pathlib.Path(file).stem) for file in files)
     cases = "".join(f"    case {i}:\n      return scene_{i}();\n" for i in range(1, len(files)))
     text += (f"\n}}  // namespace\n\nconst std::array<std::string_view, scene_count> scene_names{{{names}}};\n\n"
-             f"Scene scene_at(std::size_t index) {{\n  switch (index) {{\n{cases}    default:\n      return scene_0();\n"
-             "  }\n}\n\n}  // namespace fixproof::web\n")
+             f"Scene scene_at(std::size_t index) {{\n  switch (index) {{\n{cases}"
+             "    default:\n      return scene_0();\n  }\n}\n\n}  // namespace fixproof::web\n")
     pathlib.Path(out).write_text(text)
 
 

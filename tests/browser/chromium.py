@@ -44,9 +44,10 @@ def size(driver, width, height, mobile=False):
                            {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile})
 
 
-def media(driver, kind="", scheme="light"):
+def media(driver, kind="", scheme="light", motion="no-preference"):
+    features = {"prefers-color-scheme": scheme, "prefers-reduced-motion": motion}
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
-        "media": kind, "features": [{"name": "prefers-color-scheme", "value": scheme}]})
+        "media": kind, "features": [{"name": name, "value": value} for name, value in features.items()]})
 
 
 def picture(driver, file, whole=True):

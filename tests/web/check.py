@@ -5,49 +5,24 @@ Opens the playground in headless Chromium and checks one property, CASE. Screens
 Status 0: it holds, 1: it does not, 77: there is no browser.
 """
 import json
-import pathlib
 import sys
+import time
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "browser"))
-import chromium
+from page import (CASE, PAGE, PICTURES, button, drawn, expect, expect_equal, open_page, part, picture, text,
+                  wait)
 from chromium import browser, media, size, violations
+from links import links
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import WebDriverWait
-
-CASE, PAGE, PICTURES = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3])
-
-
-def open_page(driver, address=""):
-    driver.get("about:blank")
-    driver.get(PAGE.as_uri() + address)
-    WebDriverWait(driver, 20).until(
-        lambda d: d.execute_script("return document.documentElement.dataset.drawn ?? ''"))
-
-
-def picture(driver, name):
-    chromium.picture(driver, PICTURES / f"{name}.png", whole=False)
-
-
-def expect(holds, what):
-    chromium.expect(holds, f"{CASE}: {what}")
-
-
-def expect_equal(is_, wanted, what):
-    expect(is_ == wanted, f"{what}: {is_!r}, not {wanted!r}")
-
-
-def text(driver, selector):
-    return driver.find_element(By.CSS_SELECTOR, selector).get_attribute("textContent")
 
 
 def cells(driver, table, name):
     """Returns the cells of the row with this name."""
     rows = driver.execute_script("""
-        return [...document.querySelectorAll(arguments[0] + ' tbody tr')].map(
-          (row) => [...row.children].map((cell) => (cell.querySelector('[title]:not(.agrees)')?.title ?? cell.textContent).trim()))""",
+        const whole = (cell) => (cell.querySelector('[title]:not(.agrees)')?.title ?? cell.textContent).trim();
+        return [...document.querySelectorAll(arguments[0] + ' tbody tr')].map((row) => [...row.children].map(whole))""",
                                  table)
     return next(row for row in rows if row[0] == name)
 
@@ -69,21 +44,36 @@ def size_(driver):
     expect(not wrong, f"the console says {wrong}")
 
 
+def injected(name, old, new):
+    """Writes the page with a part replaced, and returns its address."""
+    page = PAGE.read_text()
+    expect(old in page, f"the page has no {old}")
+    file = PICTURES / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(page.replace(old, new, 1))
+    return file.as_uri()
+
+
 def policy(driver):
     """The policy blocks every script and style that is not the page's own."""
     run = "document.documentElement.dataset.injected = 'yes'"
-    injected = {"script-src-elem": f"<script>{run}</script>", "script-src-attr": f'<svg onload="{run}"></svg>',
+    wrong = {"script-src-elem": f"<script>{run}</script>", "script-src-attr": f'<svg onload="{run}"></svg>',
                 "style-src-elem": "<style>h1 { opacity: 0.5 }</style>",
                 "style-src-attr": '<p style="opacity: 0.5">styled</p>', "img-src": '<img src="elsewhere.png" alt="">'}
-    page = PAGE.read_text()
-    for directive, html in injected.items():
-        file = PICTURES / "injected.html"
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(page.replace("<main", f"{html}<main", 1))
-        driver.get(file.as_uri())
-        WebDriverWait(driver, 20).until(lambda d: d.execute_script("return document.documentElement.dataset.drawn ?? ''"))
+    for directive, html in wrong.items():
+        driver.get(injected("injected.html", "<main", f"{html}<main"))
+        wait(driver, "the page", lambda: drawn(driver))
         expect_equal([b.split()[0] for b in violations(driver)], [directive], f"what is blocked of {html}")
         expect_equal(driver.execute_script("return document.documentElement.dataset.injected ?? 'no'"), "no", "ran")
+
+
+def failures(driver):
+    """A page whose module does not start, or stops, says so."""
+    driver.get(injected("broken.html", 'id="module">H4sI', 'id="module">AAAA'))
+    wait(driver, "an alert", lambda: text(driver, "[role=alert]").startswith("The module did not start: "))
+    open_page(driver)
+    driver.execute_script("dispatchEvent(new ErrorEvent('error', {message: 'unreachable'}))")
+    expect_equal(text(driver, "[role=alert]"), "The module stopped: unreachable. Load the page again.", "what it says")
 
 
 def bits(driver):
@@ -99,7 +89,7 @@ def bits(driver):
     expect_equal(cells(driver, "#view", "q16_16")[1:],
                  ["00018002", "1.500030517578125", "0", "0", "1.5000152587890625", "1.5000457763671875", "agree"],
                  "bit 1 flipped")
-    expect("0x00018002" in driver.current_url, f"the address is {driver.current_url}")
+    wait(driver, "the word in the address", lambda: "0x00018002" in driver.current_url)
     box = driver.find_element(By.CSS_SELECTOR, "input[name=Number]")
     box.clear()
     box.send_keys("-32768.00001")
@@ -107,6 +97,25 @@ def bits(driver):
     expect("out of range" in cells(driver, "#view", "q16_16")[1], "below the lowest word")
     box.send_keys("x")
     expect("Not a number" in text(driver, ".problem"), "an error for letters")
+
+
+def operation(driver):
+    """The view of an operation: ranges, roots, and the link to a trace."""
+    # 4098/256 times 2047/256 is 32767.99 units of 8.8, of which the highest word has 32767.
+    open_page(driver, "#view=operation&op=mul&in=q8_8&a=0x1002&b=0x07ff")
+    expect("out of range" in text(driver, ".exact"), "above the highest word")
+    expect_equal([cells(driver, "#view", rule)[1] for rule in ("half up", "half up, saturating", "down (floor)")],
+                 ["8000", "7fff", "7fff"], "above the highest word")
+    # The root of 2 is 362.04 units.
+    open_page(driver, "#view=operation&op=sqrt&in=q8_8&a=2")
+    rows = driver.find_elements(By.CSS_SELECTOR, "#view tbody tr")
+    expect_equal([row.text.split()[:4] for row in rows], [["to", "nearest", "016a", "1.4140625"]], "the root of 2")
+    expect_equal(len(driver.find_elements(By.CSS_SELECTOR, "#view input")), 1, "operands of a root")
+    open_page(driver, "#view=operation&op=mul&in=q16_16&a=0x0001+8000&b=2")
+    driver.find_element(By.LINK_TEXT, "trace").click()
+    wait(driver, "the trace", lambda: drawn(driver) == "trace")
+    button(driver, "end").click()
+    expect_equal(results(driver), ["00030000"], "the trace of 1.5 times 2")
 
 
 def results(driver):
@@ -140,14 +149,17 @@ def pixels(driver):
     return memory(driver, "[title=pixel]")
 
 
+followed = []
+
+
 def follow(driver, name):
     """Opens a famous case by the keyboard."""
+    followed.append(name)
     open_page(driver, "#view=cases")
     driver.execute_script("""
         [...document.querySelectorAll('.cases a')].find((a) => a.textContent === arguments[0]).focus()""", name)
     ActionChains(driver).send_keys(Keys.ENTER).perform()
-    WebDriverWait(driver, 20).until(lambda d: d.execute_script("return document.documentElement.dataset.drawn") != "cases")
-    WebDriverWait(driver, 20).until(lambda d: d.execute_script("return scrollY") == 0)
+    wait(driver, name, lambda: drawn(driver) != "cases" and driver.execute_script("return scrollY") == 0)
 
 
 def builds(driver):
@@ -166,7 +178,7 @@ def cases(driver):
         "The fault that disappears": ["80010000", none, none, none],
         "Halves that split two builds": ["00000000", "ffffffff", "ffffffff", "00000000"],
         "A divisor loses its fraction": ["00008000", "00007fff", "0000ffff", "0000ffff"],
-        "One is too small to divide by": ["00010001", "00010001", none, none],
+        "Too small to divide by": ["00010001", "00010001", none, none],
         "Half a unit, and less": ["00000001", "00000000", "00000001", "00000000"],
         # Without rounding, half a unit below 160 is one unit below it.
         "Width, or half the width": ["00a00000", "009fffff", "00a00000", "009fffff"]}
@@ -178,11 +190,12 @@ def cases(driver):
         "0.5 + 0.5 = 0": [move.format("00000000", *["00000000"] * 2), move.format("00010000", *["00000000"] * 2)],
         "A switch the wrong way round": ["0000aaaa", "0000aaab"],
         "The translation in every column": [
-            "00020000 00010000 00010000 00050000 00020000 00030000 00020000 00070000 00030000 00030000 00040000 00090000",
+            "00020000 00010000 00010000 00050000 00020000 00030000 00020000 00070000 "
+            "00030000 00030000 00040000 00090000",
             move.format("00050000", "00070000", "00090000")]}
     for name, words in traces.items():
         follow(driver, name)
-        driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.END)
+        button(driver, "forward").send_keys(Keys.END)
         expect_equal(results(driver), words, name)
     follow(driver, "0.5 + 0.5 = 0")
     expect_equal(instruction(driver, ".current"), ["add bp, [si+14]", "adc bp, [si+14]"], "where the carry is lost")
@@ -201,12 +214,14 @@ def cases(driver):
     expect(driver.execute_script("""
         const list = document.querySelector('.listing');
         const row = list.querySelector('.stops');
-        return row.offsetTop >= list.scrollTop && row.offsetTop + row.offsetHeight <= list.scrollTop + list.clientHeight"""), "the instruction where it stops is out of sight")
+        const end = list.scrollTop + list.clientHeight;
+        return row.offsetTop >= list.scrollTop && row.offsetTop + row.offsetHeight <= end"""),
+           "the instruction where it stops is out of sight")
     expect("does not have" in results(driver)[0], f"the printed CosSin ends so: {results(driver)}")
     follow(driver, "Not in place")
     expect_equal([instruction(driver, ".current"), changed(driver, ".memory")],
                  [["mov [di], ecx"], ["009e 0002"]], "the store of the new x")
-    driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.ARROW_RIGHT * 2)
+    button(driver, "forward").send_keys(Keys.ARROW_RIGHT * 2)
     expect_equal([instruction(driver, ".current"), changed(driver, ".registers")],
                  [["imul dword [bx]"], ["eax00000000", "edx00000001"]], "the old x, read again")
     # The inner loops: registers and pixels of findings 13 to 16 and 21.
@@ -216,8 +231,8 @@ def cases(driver):
     follow(driver, "A span without pixels")
     expect_equal([instruction(driver, ".current"), changed(driver, ".registers")],
                  [["loop .Pixel", "dec ecx"], ["ecx0000ffff", "ecxffffffff"]], "the count after the first pixel")
-    driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.END)
-    expect(all("still draws" in ending for ending in results(driver)), f"the loops end so: {results(driver)}")
+    button(driver, "forward").send_keys(Keys.END)
+    expect(all("Still draws" in ending for ending in results(driver)), f"the loops end so: {results(driver)}")
     follow(driver, "The odd pixel")
     seven = ["20", "21", "22", "23", "24", "25", "26"]
     expect_equal(pixels(driver), [seven[:6] + ["00"] * 2, seven + ["00"]], "pixels in pairs and one by one")
@@ -230,15 +245,15 @@ def cases(driver):
     expect_equal(pixels(driver)[0][:2], ["01", "00"], "the texel that is drawn")
     for name in ("Cubes one unit too far away", "Thirty minutes of drift"):
         follow(driver, name)
-        frame = "108,000" if "drift" in name else "0"
-        WebDriverWait(driver, 60).until(lambda d: text(d, '[data-part="frame"]') == frame)
-        wrong = int(text(driver, '[data-part="wrong"]').replace(",", ""))
+        frame = "108000" if "drift" in name else "0"
+        wait(driver, f"{name}, frame {frame}", lambda: part(driver, "frame") == frame, 60)
+        wrong = int(part(driver, "wrong"))
         expect(1000 < wrong < 76_800, f"{name}: {wrong} pixels differ")
         if "drift" in name:
             picture(driver, "drift")
-    seen = len(operations) + len(traces) + 12
     open_page(driver, "#view=cases")
-    expect_equal(len(driver.find_elements(By.CSS_SELECTOR, ".cases a")), seen, "cases")
+    names = [link.text for link in driver.find_elements(By.CSS_SELECTOR, ".cases a")]
+    expect_equal(set(followed), set(names), "cases followed")
     for said in driver.find_elements(By.CSS_SELECTOR, ".cases p"):
         expect_equal(said.text.count(". ") + 1, 3, f"sentences of {said.text!r}")
 
@@ -258,30 +273,68 @@ def keyboard(driver):
             ActionChains(driver).send_keys(Keys.TAB).perform()
             reached.add(driver.execute_script("return document.activeElement.dataset.control"))
         expect_equal(len(reached - {None}), wanted, f"{view}: controls that Tab reaches")
-    open_page(driver, "#view=trace&routine=mul&build=i386-on&operands=-0.5+1.5")
-    button = driver.find_element(By.CSS_SELECTOR, "button[name=forward]")
-    button.send_keys(Keys.ARROW_RIGHT * 5)
+    open_page(driver, "#view=trace&routine=mul&build=i386-on&beside=none&operands=-0.5+1.5")
+    button(driver, "forward").send_keys(Keys.ARROW_RIGHT * 5)
     # The registers after ADD EAX, 8000h, as in the trace of README.md.
     expect("eax40008000" in text(driver, ".registers"), text(driver, ".registers"))
-    button.send_keys(Keys.ARROW_LEFT)
+    button(driver, "forward").send_keys(Keys.ARROW_LEFT)
     expect("eax40000000" in text(driver, ".registers") and "CF1" in text(driver, ".flags"), "a step back")
     expect("PF?" in text(driver, ".flags"), "an undefined flag")
-    expect("step=4" in driver.current_url, driver.current_url)
+    wait(driver, "the step in the address", lambda: "step=4" in driver.current_url)
+    # The keys still work after a button that leads to the last step.
+    button(driver, "end").send_keys(Keys.ENTER)
+    driver.execute_async_script("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))")
+    ActionChains(driver).send_keys(Keys.ARROW_LEFT).perform()
+    expect("step 8 of 9" in text(driver, ".run"), "a step back from the end")
     open_page(driver, "#view=scenes&play=no")
-    driver.find_element(By.CSS_SELECTOR, "button[name=forward]").send_keys(Keys.ENTER)
-    WebDriverWait(driver, 10).until(lambda d: text(d, '[data-part="frame"]') == "1")
+    button(driver, "forward").send_keys(Keys.ENTER)
+    wait(driver, "one frame on", lambda: part(driver, "frame") == "1")
 
 
 def scenes(driver):
     """A scene runs, and a switched arithmetic continues from where it is."""
     open_page(driver, "#view=scenes&scene=chapter53&arithmetic=0&against=0")
-    WebDriverWait(driver, 60).until(lambda d: int(text(d, '[data-part="frame"]').replace(",", "")) > 60)
-    print(text(driver, '[data-part="fps"]'), "frames per second")
-    expect_equal(text(driver, '[data-part="wrong"]'), "0", "pixels that differ in one arithmetic")
-    box = driver.find_element(By.CSS_SELECTOR, "select[name=Arithmetic]")
-    box.send_keys("8088, not")
-    WebDriverWait(driver, 20).until(lambda d: text(d, '[data-part="wrong"]') != "0")
-    expect(int(text(driver, '[data-part="frame"]').replace(",", "")) > 150, "the scene started again")
+    wait(driver, "frame 61", lambda: int(part(driver, "frame")) > 60, 60)
+    print(part(driver, "fps"), "frames per second")
+    expect_equal(part(driver, "wrong"), "0", "pixels that differ in one arithmetic")
+    driver.find_element(By.CSS_SELECTOR, "select[name=Arithmetic]").send_keys("8088, not")
+    wait(driver, "pixels that differ", lambda: part(driver, "wrong") != "0")
+    expect(int(part(driver, "frame")) > 150, "the scene started again")
+    # A person who asks for less motion sees none until Play.
+    media(driver, motion="reduce")
+    open_page(driver, "#view=scenes")
+    for scene in ("chapter53", "phong"):
+        driver.execute_script("location.hash = `#view=scenes&scene=${arguments[0]}`", scene)
+        time.sleep(1)
+        expect_equal(part(driver, "frame"), "0", f"{scene} with less motion")
+    button(driver, "play").click()
+    wait(driver, "frame 11 after Play", lambda: int(part(driver, "frame")) > 10)
+
+
+# Returns the texts with a contrast below 4.5 to what is behind them, and the controls whose edge has one below 3.
+FAINT = """
+    const parts = (color) => color.match(/[\\d.]+/g).map(Number);
+    const light = (color) => parts(color).slice(0, 3).map((v) => v / 255)
+      .map((v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
+      .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+    const contrast = (a, b) => {
+      const [low, high] = [light(a), light(b)].sort((x, y) => x - y);
+      return (high + 0.05) / (low + 0.05);
+    };
+    const ground = (e) => {
+      const color = getComputedStyle(e).backgroundColor;
+      return parts(color)[3] === 0 && e.parentElement ? ground(e.parentElement) : color;
+    };
+    const faint = [];
+    for (const e of document.querySelectorAll('body, body *:not(script, noscript, option, :disabled)')) {
+      const control = e.matches('input, select, button');
+      const text = [...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim()) || control;
+      if (!text || !e.checkVisibility()) continue;
+      const style = getComputedStyle(e);
+      const edge = control && e.type !== 'range' ? contrast(style.borderTopColor, ground(e.parentElement)) : 9;
+      if (contrast(style.color, ground(e)) < 4.5 || edge < 3) faint.push(`${e.className} ${e.textContent.trim()}`);
+    }
+    return faint;"""
 
 
 def screens(driver):
@@ -303,14 +356,17 @@ def screens(driver):
             expect(not shift, f"{view} at {width} moves {shift}")
             wide = driver.execute_script("return document.documentElement.scrollWidth")
             expect(wide <= width, f"{view} at {width} is {wide} wide")
-            paper, ink = driver.execute_script("const s = getComputedStyle(document.body); return [s.backgroundColor, s.color]")
+            paper, ink = driver.execute_script("""
+                const style = getComputedStyle(document.body);
+                return [style.backgroundColor, style.color]""")
             light = [sum(map(int, c[c.index("(") + 1:-1].split(",")[:3])) / 765 for c in (paper, ink)]
             expect((light[0] > light[1]) == (scheme == "light") and abs(light[0] - light[1]) > 0.6, f"{ink} on {paper}")
+            expect_equal(driver.execute_script(FAINT), [], f"{view} in the {scheme} theme: what is faint")
             picture(driver, f"{view}_{width}")
 
 
-CASES = {"size": size_, "policy": policy, "bits": bits, "cases": cases, "keyboard": keyboard, "scenes": scenes,
-         "screens": screens}
+CASES = {"size": size_, "policy": policy, "failures": failures, "bits": bits, "operation": operation, "cases": cases,
+         "keyboard": keyboard, "links": links, "scenes": scenes, "screens": screens}
 driver = browser()
 try:
     CASES[CASE](driver)

@@ -22,6 +22,7 @@ const { c, ask } = await loadModule(readFileSync(moduleFile));
 const { scenes, arithmetics } = ask("stages");
 if (arithmetics.length !== options.length) throw new Error(`${arithmetics.length} arithmetics, not ${options.length}`);
 const folder = mkdtempSync(join(tmpdir(), "frames-"));
+process.on("exit", () => rmSync(folder, { recursive: true }));
 let wrong = 0;
 let compared = 0;
 scenes.forEach((scene, index) => {
@@ -42,10 +43,11 @@ scenes.forEach((scene, index) => {
     compared += ours.length;
     const at = native.findIndex((digest, i) => digest !== ours[i]);
     if (at < 0 && native.length === ours.length) return;
-    console.log(`${scene.file}, ${arithmetics[arithmetic]}: picture ${at} differs (${ours.length} pictures, ${native.length})`);
+    console.log(`${scene.file}, ${arithmetics[arithmetic]}: picture ${at} differs; ` +
+      `the module draws ${ours.length}, the command ${native.length}`);
     wrong += 1;
   });
 });
-rmSync(folder, { recursive: true });
-console.log(`${compared.toLocaleString("en")} pictures of ${scenes.length} scenes in ${arithmetics.length} arithmetics`);
+const pictures = compared.toLocaleString("en");
+console.log(`${pictures} pictures of ${scenes.length} scenes in ${arithmetics.length} arithmetics`);
 process.exit(wrong ? 1 : 0);

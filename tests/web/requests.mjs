@@ -13,12 +13,12 @@ const below = (n) => {
 };
 const one = (list) => list[below(list.length)];
 const junk = () => Array.from({ length: below(12) }, () => one([..."0123456789.-+xXbBefq_ ,;\n\té\u0000"])).join("");
-const number = () => one(["0", "1", "-1", "0.5", "-32768", "32767.99999", "0x80000000", "0xffffffff", "0b1", "1e5", "9".repeat(100),
-  "9".repeat(101), `0.${"0".repeat(90)}1`, "-0.0000152587890625", "", junk()]);
+const number = () => one(["0", "1", "-1", "0.5", "-32768", "32767.99999", "0x80000000", "0xffffffff", "0b1", "1e5",
+  "9".repeat(100), "9".repeat(101), `0.${"0".repeat(90)}1`, "-0.0000152587890625", "", junk()]);
 const format = () => one(["q16_16", "q8_8", "u0_64", "q1_63", "q32_0", "u0_8", junk()]);
 const routine = () => one(["mul", "div", "cossin", "xformvec", "concat", "gouraud", "depth", "texture", junk()]);
-const build = () => one(["none", "i386-on", "i386-off", "i8088-on", "i8088-off", "i386-52", "i8088-on-repaired", "i8088-off-scanned",
-  "i386", "i8088", "i8088-printed", "byte-i386-loop", "word-i8088-dec-jnz", "i386-loop",
+const build = () => one(["none", "i386-on", "i386-off", "i8088-on", "i8088-off", "i386-52", "i8088-on-repaired",
+  "i8088-off-scanned", "i386", "i8088", "i8088-printed", "byte-i386-loop", "word-i8088-dec-jnz", "i386-loop",
   "i386-dec-jnz-printed", "i8088-loop", junk()]);
 const requests = {
   number: () => [format(), number()],

@@ -16,11 +16,16 @@ const views = {
   scenes: [scenesView, afterScenes],
   cases: [casesView],
 };
+const place = document.getElementById("view");
 
-let state = stateOf(location.hash);
 // A person who asks for less motion starts the scenes by hand.
-if (matchMedia("(prefers-reduced-motion: reduce)").matches) state.play = "no";
+const still = matchMedia("(prefers-reduced-motion: reduce)").matches ? { play: "no" } : {};
+const read = (hash) => ({ ...stateOf(hash), ...still });
+
+let address = location.hash;
+let state = read(address);
 let module;
+let writing;
 
 function draw() {
   if (!(state.view in views)) state.view = defaults.view;
@@ -30,36 +35,47 @@ function draw() {
     link.setAttribute("aria-current", view === state.view ? "page" : "false");
   }
   const [view, after] = views[state.view];
-  render(view(module, state, update), document.getElementById("view"));
+  render(view(module, state, update), place);
   after?.(module, state, () => state);
   document.documentElement.dataset.drawn = state.view;
 }
 
-// A view changes the state, never the page itself.
+// A view changes the state, never the page itself. The address follows after a pause: Safari refuses more than 100
+// changes of it in 30 seconds, and a slider makes more.
 function update(changes) {
   state = { ...state, ...changes };
-  history.replaceState(null, "", hashOf(state));
+  clearTimeout(writing);
+  writing = setTimeout(write, 200);
   draw();
 }
 
-// If the module ends at a throw, the page says so.
-function broken(error) {
-  document.getElementById("view").textContent = `The module stopped: ${error.message}. Load the page again.`;
+function write() {
+  if (location.hash !== address) return;  // a link was followed in between
+  history.replaceState(null, "", hashOf(state));
+  address = location.hash;
+}
+
+function say(problem) {
+  const text = document.createElement("p");
+  text.setAttribute("role", "alert");
+  text.textContent = problem;
+  place.replaceChildren(text);
 }
 
 addEventListener("hashchange", () => {
-  state = stateOf(location.hash);
+  address = location.hash;
+  state = read(address);
   reopenScenes();
   draw();
   scrollTo(0, 0);
 });
-addEventListener("error", (event) => broken(event.error ?? event));
 
 try {
   module = await embeddedModule();
-  document.getElementById("view").replaceChildren();
+  place.replaceChildren();
   draw();
   performance.mark("started");
-} catch (error) {
-  broken(error);
+  addEventListener("error", ({ message }) => say(`The module stopped: ${message}. Load the page again.`));
+} catch ({ message }) {
+  say(`The module did not start: ${message}. Use a current browser that allows WebAssembly.`);
 }

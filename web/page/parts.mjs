@@ -1,12 +1,18 @@
 // Parts that several views share.
-import { html, svg, nothing } from "../vendor/lit-html.js";
+import { html, nothing } from "../vendor/lit-html.js";
 
 export const operations = [["add", "+"], ["sub", "−"], ["mul", "×"], ["div", "÷"], ["sqrt", "√"]];
 
+let formats;
+// Returns the named formats as options of a select.
+export const formatsOf = (module) =>
+  formats ??= module.ask("number", "q16_16", "0").rows.map(({ name }) => [name, name]);
+
+// The property `selected` changes the choice even after a person chose; the attribute would not.
 export const select = (label, value, options, choose) => html`
   <label class="choice"><span>${label}</span>
     <select name=${label} @change=${(e) => choose(e.target.value)}>
-      ${options.map(([key, name]) => html`<option value=${key} ?selected=${key === value}>${name}</option>`)}
+      ${options.map(([key, name]) => html`<option value=${key} .selected=${key === value}>${name}</option>`)}
     </select>
   </label>`;
 
@@ -27,7 +33,7 @@ export const agreement = (agrees) => agrees
 export const problem = (text) => html`<p class="problem" role="status">${text ?? ""}</p>`;
 
 // A picture of where the exact result lies between two words.
-export const between = (part) => svg`
+export const between = (part) => html`
   <svg class="between" viewBox="0 0 400 24" aria-hidden="true">
     <path d="M8 12H392M8 5V19M200 9V15M392 5V19"></path>
     <circle cx=${8 + 384 * part} cy="12" r="6"></circle>

@@ -4,12 +4,14 @@ import { html } from "../vendor/lit-html.js";
 import { select } from "./parts.mjs";
 
 const MINUTES = 30;
-// The most moves in one tick while the slider is ahead. They take at most a tenth of a second, so the page stays
-// responsive.
+// The most moves in one tick while the target is ahead. They take at most a tenth of a second, so the page still
+// answers.
 const MOVES = 1500;
 
 // The running scene. When a control changes, the page is drawn again; tick() writes the figures of each frame.
-const run = { opened: "", arithmetic: -1, frame: 0, target: 0, ticking: false, drawn: [], last: 0, owed: 0 };
+const run = {
+  opened: "", arithmetic: -1, frame: 0, target: 0, fresh: false, ticking: false, drawn: [], last: 0, owed: 0,
+};
 
 // A link opens a scene from its first frame, whatever ran before.
 export function reopenScenes() {
@@ -34,8 +36,11 @@ function drawFrame(c, scene, other) {
   part("wrong").textContent = wrong.toLocaleString("en");
   part("frame").textContent = run.frame.toLocaleString("en");
   part("time").textContent = clock(run.frame, scene.frames_per_second);
-  part("slider").value = run.frame;
-  part("busy").textContent = run.frame < run.target ? `moving to ${clock(run.target, scene.frames_per_second)}` : "";
+  // The slider shows the target, so that it stays where a person puts it.
+  const target = clock(run.target, scene.frames_per_second);
+  part("slider").value = run.target;
+  part("slider").setAttribute("aria-valuetext", target);
+  part("busy").textContent = run.frame < run.target ? `moving to ${target}` : "";
 }
 
 // One tick of the screen. Moves towards the target frame, and advances the target with the time if the scene plays.
@@ -50,7 +55,7 @@ function tick(now, module, stateNow) {
   const most = MINUTES * 60 * scene.frames_per_second;
   if (state.play === "yes" && run.frame === run.target) {
     run.owed = Math.min(4, run.owed + (now - run.last) * scene.frames_per_second / 1000);
-    const whole = Math.floor(run.owed + 0.01);
+    const whole = Math.floor(run.owed + 0.01);  // a tick may come a little early
     run.owed -= whole;
     run.target = Math.min(most, run.target + whole);
   }
@@ -81,7 +86,7 @@ function follow(module, state) {
     run.target = within(state.frame, MINUTES * 60 * sceneOf(scenes, state).frames_per_second + 1);
     run.frame = 0;
   } else if (run.arithmetic !== played) {
-    module.c.stage_switch(0, played);
+    module.c.stage_switch(played);
   }
   Object.assign(run, { opened, arithmetic: played, fresh: true });
 }
@@ -90,10 +95,13 @@ export function scenesView(module, state, update) {
   const { scenes, arithmetics } = stagesOf(module);
   const scene = sceneOf(scenes, state);
   const numbered = arithmetics.map((name, i) => [String(i), name]);
+  const [arithmetic, against] = [state.arithmetic, state.against].map((i) => String(within(i, arithmetics.length)));
   const most = MINUTES * 60 * scene.frames_per_second;
+  // A change keeps the frame: the address names the one that the scene moves to.
+  const change = (changes) => update({ ...changes, frame: String(run.target) });
   const go = (frame) => {
     run.target = Math.max(0, Math.min(most, frame));
-    update({ frame: String(run.target), play: "no" });
+    change({ play: "no" });
   };
   const restart = () => {
     reopenScenes();
@@ -101,17 +109,20 @@ export function scenesView(module, state, update) {
   };
   return html`
     <h2>X-Sharp in two arithmetics</h2>
-    <p>Switch the arithmetic while the scene runs: the new one continues where the old one stopped. Restart plays
-      from the first frame. White pixels differ from the other arithmetic.</p>
+    <p>Switch the arithmetic while the scene runs: the new one continues where the old one stopped. A link, or a switch
+      to or from double, computes every frame again. Restart plays from the first frame. White pixels differ from the
+      other arithmetic.</p>
     <div class="choices">
-      ${select("Scene", scene.file, scenes.map(({ file, name }) => [file, name]), (file) => update({ scene: file, frame: "0" }))}
-      ${select("Arithmetic", state.arithmetic, numbered, (arithmetic) => update({ arithmetic, frame: String(run.frame) }))}
-      ${select("Compared with", state.against, numbered, (against) => update({ against, frame: String(run.frame) }))}
-      ${select("On the right", state.show, [["difference", "pixels that differ"], ["other", "the other arithmetic"]], (what) => update({ show: what }))}
+      ${select("Scene", scene.file, scenes.map(({ file, name }) => [file, name]),
+        (file) => update({ scene: file, frame: "0" }))}
+      ${select("Arithmetic", arithmetic, numbered, (chosen) => change({ arithmetic: chosen }))}
+      ${select("Compared with", against, numbered, (chosen) => change({ against: chosen }))}
+      ${select("On the right", state.show, [["difference", "pixels that differ"], ["other", "the other arithmetic"]],
+        (chosen) => update({ show: chosen }))}
     </div>
     <div id="stage">
       <div class="stepper">
-        <button name="play" @click=${() => update({ play: state.play === "yes" ? "no" : "yes", frame: String(run.frame) })}>
+        <button name="play" @click=${() => change({ play: state.play === "yes" ? "no" : "yes" })}>
           ${state.play === "yes" ? "Pause" : "Play"}</button>
         <button name="back" @click=${() => go(run.frame - 1)}>← Frame</button>
         <button name="forward" @click=${() => go(run.frame + 1)}>Frame →</button>
@@ -119,11 +130,12 @@ export function scenesView(module, state, update) {
         <input type="range" data-part="slider" aria-label="Time, 0 to 30 minutes" min="0" max=${most} step="1"
           @input=${(e) => go(Number(e.target.value))}>
       </div>
-      <p class="figures"><span><b data-part="time">0:00</b> of 30:00</span> <span>frame <b data-part="frame">0</b></span>
-        <span><b data-part="wrong">0</b> pixels differ</span> <span><b data-part="fps">0</b> frames per second</span>
-        <span data-part="busy"></span></p>
+      <p class="figures"><span><b data-part="time">0:00</b> of 30:00</span>
+        <span>frame <b data-part="frame">0</b></span> <span><b data-part="wrong">0</b> pixels differ</span>
+        <span><b data-part="fps">0</b> frames per second</span> <span data-part="busy"></span></p>
       <div class="canvases">
-        <canvas data-part="played" width=${scene.width} height=${scene.height} role="img" aria-label="The scene"></canvas>
+        <canvas data-part="played" width=${scene.width} height=${scene.height} role="img"
+          aria-label="The scene"></canvas>
         <canvas data-part="other" width=${scene.width} height=${scene.height} role="img"
           aria-label=${state.show === "other" ? "The scene in the other arithmetic" : "Pixels that differ"}></canvas>
       </div>

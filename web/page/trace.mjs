@@ -2,17 +2,19 @@
 import { html, nothing } from "../vendor/lit-html.js";
 import { input, problem, select, short } from "./parts.mjs";
 
-export const routineNames = [["mul", "FixedMul"], ["div", "FixedDiv"], ["cossin", "CosSin"], ["xformvec", "XformVec"],
+const routineNames = [["mul", "FixedMul"], ["div", "FixedDiv"], ["cossin", "CosSin"], ["xformvec", "XformVec"],
   ["concat", "ConcatXforms"], ["gouraud", "Gouraud shading"], ["depth", "Depth test"], ["texture", "Texture"]];
 
 const identity = "1 0 0 0  0 1 0 0  0 0 1 0";
-export const sampleOperands = {
+const sampleOperands = {
   mul: "-0.5 1.5", div: "2 3", cossin: "300", xformvec: "0.5 0.5 0.5 0  0 -1 0 0  0 0 0 5  1 2 3",
   concat: `${identity}  ${identity}`, gouraud: "7 32 1.5", depth: "4 1 0.5", texture: "4 1 1 0 0",
 };
 
 // The labels of the operands of each inner loop.
-const loopOperands = { gouraud: "Pixels, intensity, step", depth: "Pixels, depth, step", texture: "Pixels, column, step, row, step" };
+const loopOperands = {
+  gouraud: "Pixels, intensity, step", depth: "Pixels, depth, step", texture: "Pixels, column, step, row, step",
+};
 
 const buildName = (name) => name.replace(/i(?=\d)/, "").replace("-on", ", rounded").replace("-off", ", not rounded")
   .replace("-52", ", chapter 52").replace("-repaired", ", repaired").replace("-scanned", ", as scanned")
@@ -29,10 +31,10 @@ function recording(module, state) {
   return recorded;
 }
 
-export const lastStep = (answer) => Math.max(...answer.runs.map((run) => run.steps));
+const lastStep = (answer) => Math.max(...answer.runs.map((run) => run.steps));
 
 // Returns the step that the address names: a number, or the first at which the builds differ.
-export function stepOf(answer, step) {
+function stepOf(answer, step) {
   const wanted = step === "differs" ? answer.differs : Number.parseInt(step, 10) || 0;
   return Math.max(0, Math.min(lastStep(answer), wanted));
 }
@@ -40,14 +42,24 @@ export function stepOf(answer, step) {
 const instruction = (run, now, i, { text, label }) => {
   const current = now.step > 0 && i === now.position;
   const stops = !run.returns && i === run.stopped && now.step === run.steps;
-  return html`<li class="${current ? "current" : ""} ${stops ? "stops" : ""}" aria-current=${current ? "step" : "false"}>
+  return html`<li class="${current ? "current" : ""} ${stops ? "stops" : ""}"
+    aria-current=${current ? "step" : "false"}>
     <span class="label">${label ?? ""}</span><span>${i.toString().padStart(3)}  ${text}</span></li>`;
 };
 
-const changing = ({ name, value, changed }) => html`<div class=${changed ? "changed" : ""}><dt>${name}</dt><dd>${value}</dd></div>`;
+const changing = ({ name, value, changed }) =>
+  html`<div class=${changed ? "changed" : ""}><dt>${name}</dt><dd>${value}</dd></div>`;
+
+const cell = ({ address, value, changed, sp, depth }, loop) =>
+  html`<span class="${changed ? "changed" : ""} ${sp ? "sp" : ""} ${depth ? "depth" : ""}"
+    title=${sp ? "top of the stack" : depth ? "depth" : loop ? "pixel" : ""}>${address} ${value}</span>`;
+
+const returned = ({ word, value }) => html`<span class="code">${word}</span> (${short(value, 24)}) `;
 
 function runView(run, now) {
-  const ended = now.step === run.steps;
+  const memory = run.loop ? "Pixels and depths" : "Stack and operands in memory";
+  const ending = !run.returns ? html`<strong>${run.ending}</strong>`
+    : run.result.length ? html`Returns ${run.result.map(returned)}` : run.ending;
   return html`<article class="run">
     <h3>${buildName(run.name)}</h3>
     <ol class="listing code" tabindex="0" aria-label="Listing, ${buildName(run.name)}">
@@ -55,12 +67,9 @@ function runView(run, now) {
     <p class="code">step ${now.step} of ${run.steps}, ${now.clocks} clocks</p>
     <dl class="registers code">${now.registers.map(changing)}</dl>
     <dl class="flags code">${now.flags.map(changing)}</dl>
-    <div class="memory code" tabindex="0" role="region" aria-label=${run.loop ? "Pixels and depths" : "Stack and operands in memory"}>
-      ${now.memory.map((word) => html`<span class="${word.changed ? "changed" : ""} ${word.sp ? "sp" : ""} ${word.depth ? "depth" : ""}"
-        title=${word.sp ? "top of the stack" : word.depth ? "depth" : run.loop ? "pixel" : ""}>${word.address} ${word.value}</span>`)}</div>
-    <p class="ending">${!ended ? "" : run.returns
-      ? html`Returns${run.loop ? "." : " "}${run.result.map((r) => html`<span class="code">${r.word}</span> (${short(r.value, 24)}) `)}`
-      : html`<strong>${run.ending}</strong> at instruction ${run.stopped}`}</p>
+    <div class="memory code" tabindex="0" role="region" aria-label=${memory}>
+      ${now.memory.map((each) => cell(each, run.loop))}</div>
+    <p class="ending">${now.step === run.steps ? ending : ""}</p>
   </article>`;
 }
 
@@ -91,12 +100,14 @@ export function traceView(module, state, update) {
     </div>
     ${problem(error)}
     ${answer ? html`
-      <div class="stepper" role="group" aria-label="Steps; arrow keys go back and forward" @keydown=${(e) => stepKeys(e, go)}>
-        <button name="start" @click=${() => go(-1e6)} ?disabled=${step === 0}>Start</button>
+      <div class="stepper" role="group" aria-label="Steps; arrow keys go back and forward"
+        @keydown=${(e) => stepKeys(e, go)}>
+        <button name="start" @click=${() => go(-1e6)}>Start</button>
         <button name="back" @click=${() => go(-1)}>← Back</button>
         <button name="forward" @click=${() => go(1)}>Forward →</button>
-        <button name="end" @click=${() => go(1e6)} ?disabled=${step === lastStep(answer)}>End</button>
-        <button name="differs" ?disabled=${answer.differs === 0} @click=${() => update({ step: "differs" })}>First difference</button>
+        <button name="end" @click=${() => go(1e6)}>End</button>
+        <button name="differs" ?disabled=${answer.differs === 0}
+          @click=${() => update({ step: "differs" })}>First difference</button>
         <input type="range" aria-label="Step" min="0" max=${lastStep(answer)} .value=${String(step)}
           @input=${(e) => update({ step: e.target.value })}>
       </div>
