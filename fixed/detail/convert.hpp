@@ -22,15 +22,10 @@ namespace fixproof::detail {
 template <class Raw, overflow O>
 inline constexpr bool has_fast_conversion = bits_of<Raw> <= 32 && O != overflow::trap;
 
-/// Returns `yes` if the condition holds, else `no`. g++ vectorises masks better than conditions,
-/// but a single conversion takes longer with them.
+/// Returns `yes` if the condition holds, else `no`. g++ vectorises masks better than conditions.
 constexpr std::uint64_t select(bool condition, std::uint64_t yes, std::uint64_t no) noexcept {
-#if defined(__AVX2__) && !defined(__clang__)
-  const std::uint64_t mask = 0 - std::uint64_t{condition};
+  const std::uint64_t mask = 0 - static_cast<std::uint64_t>(condition);
   return (yes & mask) | (no & ~mask);
-#else
-  return condition ? yes : no;
-#endif
 }
 
 /// Returns `value` / 2^places rounded by rule R, for |value| < 2^53 and places > 0.
@@ -64,7 +59,7 @@ constexpr Raw converted(Float x) noexcept {
   constexpr std::uint64_t beyond = ulp + std::numeric_limits<Raw>::digits;
   constexpr std::int64_t highest = (std::numeric_limits<Raw>::max)();
 
-  const std::uint64_t bits = bit_cast<word>(x);
+  const auto bits = std::uint64_t{bit_cast<word>(x)};
   const std::uint64_t sign = 0 - (bits >> (8 * sizeof(Float) - 1));
   const std::uint64_t magnitude = bits & (infinity + leading - 1);
   const std::uint64_t exponent = magnitude >> digits;
@@ -83,7 +78,9 @@ constexpr Raw converted(Float x) noexcept {
     } else {
       if constexpr (!std::is_signed_v<Raw>) value = value < 0 ? 0 : value;
       const std::int64_t rounded = shifted<R>(value, integers - exponent);
-      result = static_cast<std::uint64_t>(rounded < highest ? rounded : highest);
+      // Of values: g++ finds no minimum of a constant with a name.
+      result = static_cast<std::uint64_t>(rounded < std::int64_t{highest} ? rounded
+                                                                          : std::int64_t{highest});
     }
   } else {
     result = static_cast<std::uint64_t>(shifted<R>(value, integers - exponent));

@@ -66,7 +66,7 @@ std::vector<ObjectDescription> balls(int count) {
 }
 
 /// Enough vertices for three threads.
-Scene large() {
+Scene crowded() {
   Scene scene = moved_to({0, 0, 0});
   scene.objects[1].surface.kind = SurfaceKind::texture;
   std::ranges::move(balls(31), std::back_inserter(scene.objects));
@@ -74,7 +74,7 @@ Scene large() {
 }
 
 TYPED_TEST(AnimationOf, IsTheSameOnAnyNumberOfThreads) {
-  const Scene scene = large();
+  const Scene scene = crowded();
   for (const std::size_t threads : {2U, 3U}) {
     Animation<TypeParam> alone(scene);
     Animation<TypeParam> shared(scene, threads);
@@ -92,8 +92,8 @@ TYPED_TEST(AnimationOf, IsTheSameOnAnyNumberOfThreads) {
 
 TEST(UsefulThreads, ASmallSceneTakesOne) {
   EXPECT_EQ(Animation<double>(moved_to({0, 0, 0}), 9).threads(), 1U);
-  EXPECT_EQ(useful_threads(large(), 9), 3U);
-  EXPECT_EQ(useful_threads(large(), 0), 1U);
+  EXPECT_EQ(useful_threads(crowded(), 9), 3U);
+  EXPECT_EQ(useful_threads(crowded(), 0), 1U);
   EXPECT_EQ(useful_threads(pipeline::scene(frame_side, {}), 2), 1U);
 }
 
