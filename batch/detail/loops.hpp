@@ -86,52 +86,27 @@ struct loops {
     return i;
   }
 
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t transform(const raw_transform<typename N::raw_type>& by,
-                                               const void* in, void* out, std::size_t count,
+  /// Does nothing if the lanes are too narrow for sums. References to pointers spare copies of
+  /// pointers that were stored one by one, which would wait for those stores.
+  template <template <class> class Transform, class N, class From, class To>
+  FIXED_LANE_LOOP static std::size_t transform(const transform_rows<N>& rows, const From& from,
+                                               const To& to, std::size_t count,
                                                fault_recorder& found) {
-    return transform_blocks<N>(by, interleaved_vertices<typename N::raw_type>{in, out}, count,
-                               found);
+    if (!Transform<N>::sums_fit_lanes(rows)) return 0;
+    return transform_blocks<Transform>(rows, from, to, count, found);
   }
 
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t transform(const raw_transform<typename N::raw_type>& by,
-                                               const std::array<const void*, 3>& in,
-                                               const std::array<void*, 3>& out, std::size_t count,
-                                               fault_recorder& found) {
-    return transform_blocks<N>(by, vertex_columns<typename N::raw_type>{in, out}, count, found);
-  }
-
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t project(std::int32_t constant, const void* in, void* out,
+  template <class N, class From, class To>
+  FIXED_LANE_LOOP static std::size_t project(N constant, const From& from, const To& to,
                                              std::size_t count, fault_recorder& found) {
     if constexpr (!hardware_double) return 0;
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
       i32 x;
       i32 y;
-      project_block<N>(load_vertices<typename N::raw_type>(in, i), i32{} + constant, x, y, i,
+      project_block<N>(load_vertices<N>(from, i, whole_block{}), i32{} + constant.raw(), x, y, i,
                        found);
-      store_points<typename N::raw_type>(out, i, x, y);
-    }
-    return i;
-  }
-
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t project(std::int32_t constant,
-                                             const std::array<const void*, 3>& in,
-                                             const std::array<void*, 2>& out, std::size_t count,
-                                             fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
-    std::size_t i = 0;
-    for (; count - i >= width; i += width) {
-      i32 x;
-      i32 y;
-      project_block<N>({load<typename N::raw_type>(in[0], i), load<typename N::raw_type>(in[1], i),
-                        load<typename N::raw_type>(in[2], i)},
-                       i32{} + constant, x, y, i, found);
-      store<typename N::raw_type>(out[0], i, x);
-      store<typename N::raw_type>(out[1], i, y);
+      store_points<N>(to, i, x, y);
     }
     return i;
   }

@@ -14,9 +14,16 @@ struct whole_block {
 
 /// The first `count` elements of a block, with a bit set for each.
 struct first_elements {
-  std::uint32_t bits;
+  std::size_t count;
+  std::uint32_t bits = (1U << count) - 1;
 
-  explicit first_elements(std::size_t count) : bits((1U << count) - 1) {}
+  explicit first_elements(std::size_t n) : count(n) {}
+  /// The part of register i of three that holds as many vertices. The upper bits mean nothing.
+  [[nodiscard]] first_elements third(std::size_t i) const {
+    first_elements part = *this;
+    part.bits = static_cast<std::uint32_t>(((std::uint64_t{1} << 3 * count) - 1) >> i * width);
+    return part;
+  }
 };
 
 /// Loads half a block.
