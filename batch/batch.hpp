@@ -71,7 +71,7 @@ multiply(const A& a, const B& b, Out&& out,
   return detail::run_batch<4, detail::has_lanes<N>, N::rules.product_range()>(
       "multiply", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template multiply<N>(x, y, to, count, found);
+        return on.template run<typename decltype(on)::template products<N>>(count, found, x, y, to);
       },
       [=](std::size_t i) { return detail::multiplied(x[i], y[i]); }, detail::store_at(to));
 }
@@ -91,7 +91,8 @@ mul_add(const A& a, const B& b, const C& c, Out&& out,
   return detail::run_batch<4, detail::has_mul_add_lanes<N>, N::rules.product_range()>(
       "mul_add", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template mul_add<N>(x, y, z, to, count, found);
+        return on.template run<typename decltype(on)::template mul_adds<N>>(count, found, x, y, z,
+                                                                            to);
       },
       [=](std::size_t i) { return detail::multiplied_and_added(x[i], y[i], z[i]); },
       detail::store_at(to));
@@ -112,10 +113,11 @@ divide(const Numerators& n, const Divisors& d, Out&& out,
   const std::size_t count = detail::batch_length(how, n, d, out);
   const auto element = [=](std::size_t i) { return detail::divided(x[i], y[i]); };
   constexpr bool has_quotients = detail::has_quotient_lanes<N>;
-  return detail::run_batch<4, has_quotients, P.quotient_range(), P.fault>(
+  return detail::run_batch<1, has_quotients, P.quotient_range(), P.fault>(
       "divide", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template divide<N>(x, y, to, count, found);
+        return on.template run<typename decltype(on)::template quotients<N>>(count, found, x, y,
+                                                                             to);
       },
       element, detail::store_at(to),
       [&](std::size_t done, detail::fault_recorder& found) {
@@ -137,7 +139,9 @@ sqrt(const X& x, Out&& out, const options& how = {}) noexcept(detail::element_t<
   return detail::run_batch<1, detail::has_root_lanes<N>, N::rules.range>(
       "sqrt", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template sqrt<typename N::raw_type, N::fraction_bits>(from, to, count, found);
+        return on.template run<
+            typename decltype(on)::template roots<typename N::raw_type, N::fraction_bits>>(
+            count, found, from, to);
       },
       [=](std::size_t i) { return detail::rooted(from[i]); }, detail::store_at(to));
 }
@@ -153,7 +157,7 @@ FIXED_ALWAYS_INLINE detail::element_t<A> dot(const A& a, const B& b, path use = 
     return fixproof::dot(a, b);
   } else {
     constexpr std::size_t at_once = std::size_t{1} << 30;  // the capacity of loops::dot()
-    constexpr std::size_t few = 8;                         // that are faster one by one
+    constexpr std::size_t few = 4;                         // that are faster one by one
     const N* const x = std::data(a);
     const N* const y = std::data(b);
     const std::size_t count = detail::shortest(a, b);

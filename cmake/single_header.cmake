@@ -38,6 +38,7 @@ function(read_header header result)
   string(REGEX REPLACE "\n\t\t\t\t+ ?" "\n\t\t\t" text "${text}")
   string(REPLACE "\n#pragma once\n" "\n" text "${text}")
   string(REGEX REPLACE "\n#include <(${standard_header})>" "" text "${text}")
+  string(REGEX REPLACE "\n$" "" text "${text}")
   set(${result} "\n// ${header}${text}" PARENT_SCOPE)
 endfunction()
 

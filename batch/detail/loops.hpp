@@ -2,61 +2,52 @@
 /// The loops of batch/batch.hpp and batch/radian.hpp over whole blocks; see
 /// batch/detail/lanes.hpp.
 ///
-/// Each loop returns the number of elements done, and leaves the rest to the caller. Loops that
-/// need exact doubles do nothing if detail::hardware_double is false.
+/// Each loop returns the number of elements done, and leaves the rest to the caller.
 
 #if defined(FIXED_LANES)
-// The loops are never inlined, so that their callers are small and therefore fast for short spans.
+// Loops of many blocks are never inlined, so that their callers are small and therefore fast for
+// short spans.
 #define FIXED_LANE_LOOP FIXED_LANE_TARGET __attribute__((noinline))
 
 namespace fixproof::detail::FIXED_LANES {
 
 /// The loops as a type, which on_path() passes to its callable.
 struct loops {
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t multiply(const void* a, const void* b, void* out,
-                                              std::size_t count, fault_recorder& found) {
-    return each_block(product_blocks<N>{a, b, out}, count, found);
-  }
-
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t mul_add(const void* a, const void* b, const void* c, void* out,
-                                             std::size_t count, fault_recorder& found) {
-    return each_block(mul_add_blocks<N>{a, b, c, out}, count, found);
-  }
-
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t divide(const void* n, const void* d, void* out,
-                                            std::size_t count, fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
-    return each_block(quotient_blocks<N>{n, d, out}, count, found);
-  }
-
-  template <class Raw, int F>
-  FIXED_LANE_LOOP static std::size_t sqrt(const void* x, void* out, std::size_t count,
-                                          fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
-    return each_block(root_blocks<Raw, F>{x, out}, count, found);
-  }
-
-  template <class N, class Float>
-  FIXED_LANE_LOOP static std::size_t from_floats(const void* x, void* out, std::size_t count,
-                                                 fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
-    return each_block(from_float_blocks<N, Float>{x, out}, count, found);
-  }
-
-  template <class N, class Float>
-  FIXED_LANE_LOOP static std::size_t to_floats(const void* x, void* out, std::size_t count,
-                                               fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
-    if constexpr (std::is_same_v<Float, double>) {
-      return each_block(to_double_blocks<N>{x, out}, count, found);
-    } else {
-      if (!floats_are_nearest()) return 0;
-      return each_block(to_float_blocks<N>{x, out}, count, found);
+  /// Computes a span with the operation of these places.
+  template <class Operation, class... Places>
+  FIXED_ALWAYS_INLINE static std::size_t run(std::size_t count, fault_recorder& found,
+                                             Places... places) {
+#if FIXED_LANE_BYTES == 64 && FIXED_SURE_OF_AVX512
+    // The caller has these instructions, too, so one block needs no call.
+    if constexpr (!requires { Operation::is_large; }) {
+      if (count <= Operation::size) {
+        one_block(Operation{places...}, 0, first_elements(count), found);
+        return count;
+      }
     }
+#endif
+    return many<Operation>(count, found, places...);
   }
+  template <class Operation, class... Places>
+  FIXED_LANE_LOOP static std::size_t many(std::size_t count, fault_recorder& found,
+                                          Places... places) {
+    return each_block(Operation{places...}, count, found);
+  }
+
+  // Operations for run().
+  template <class N>
+  using products = product_blocks<N>;
+  template <class N>
+  using mul_adds = mul_add_blocks<N>;
+  template <class N>
+  using quotients = quotient_blocks<N>;
+  template <class Raw, int F>
+  using roots = root_blocks<Raw, F>;
+  template <class N, class Float>
+  using from_floats = from_float_blocks<N, Float>;
+  template <class N, class Float>
+  using to_floats =
+      std::conditional_t<std::is_same_v<Float, double>, to_double_blocks<N>, to_float_blocks<N>>;
 
   /// Adds the products to `sum`, modulo 2^64 or exactly. \pre For exact sums: count <= 2^30
   template <class Raw, class Sum>
@@ -99,7 +90,6 @@ struct loops {
   template <class N, class From, class To>
   FIXED_LANE_LOOP static std::size_t project(N constant, const From& from, const To& to,
                                              std::size_t count, fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
       i32 x;

@@ -49,15 +49,19 @@ template <class N>
 inline constexpr bool has_mul_add_lanes =
     has_lanes<N>&& N::fraction_bits <= bits_of<typename N::raw_type> - 2;
 
+/// The same for conversions, which need exact doubles.
+template <class N>
+inline constexpr bool has_float_lanes = has_lanes<N>&& hardware_double;
+
 /// The same for quotients, whose numerators must fit into 48 bits.
 template <class N>
 inline constexpr bool has_quotient_lanes =
-    has_lanes<N>&& has_fast_quotient<typename N::raw_type, N::fraction_bits, N::rules>;
+    has_float_lanes<N>&& has_fast_quotient<typename N::raw_type, N::fraction_bits, N::rules>;
 
 /// The same for square roots.
 template <class N>
 inline constexpr bool has_root_lanes =
-    has_lanes<N>&& has_fast_root<typename N::raw_type, N::fraction_bits>;
+    has_float_lanes<N>&& has_fast_root<typename N::raw_type, N::fraction_bits>;
 
 }  // namespace fixproof::detail
 

@@ -102,35 +102,31 @@ FIXED_LANE_FUNCTION void prefetch(const void* base, std::size_t index) {
 
 template <class N>
 FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* from, std::size_t i, whole_block) {
-  using raw = typename N::raw_type;
   prefetch<3 * sizeof(N) * width>(from, 3 * sizeof(N) * i);
-  const i32 first = load<raw>(from, 3 * i);
-  const i32 second = load<raw>(from, 3 * i + width);
-  const i32 third = load<raw>(from, 3 * i + 2 * width);
+  const i32 first = load<N>(from, 3 * i);
+  const i32 second = load<N>(from, 3 * i + width);
+  const i32 third = load<N>(from, 3 * i + 2 * width);
   return vertices_of(first, second, third);
 }
 template <class N, class Part>
 FIXED_LANE_FUNCTION block_of_vertices load_vertices(const std::array<const N*, 3>& from,
                                                     std::size_t i, Part part) {
-  using raw = typename N::raw_type;
-  return {load<raw>(from[0], i, part), load<raw>(from[1], i, part), load<raw>(from[2], i, part)};
+  return {load<N>(from[0], i, part), load<N>(from[1], i, part), load<N>(from[2], i, part)};
 }
 
 template <class N, stores how>
 FIXED_LANE_FUNCTION void store_vertices(void* to, std::size_t i, const block_of_vertices& v) {
-  using raw = typename N::raw_type;
   const registers_of_vertices r = registers_of(v);
-  store<raw, how>(to, 3 * i, r.first);
-  store<raw, how>(to, 3 * i + width, r.second);
-  store<raw, how>(to, 3 * i + 2 * width, r.third);
+  store<N, how>(to, 3 * i, r.first);
+  store<N, how>(to, 3 * i + width, r.second);
+  store<N, how>(to, 3 * i + 2 * width, r.third);
 }
 template <class N, stores how>
 FIXED_LANE_FUNCTION void store_vertices(const std::array<N*, 3>& to, std::size_t i,
                                         const block_of_vertices& v) {
-  using raw = typename N::raw_type;
-  store<raw, how>(to[0], i, v.x);
-  store<raw, how>(to[1], i, v.y);
-  store<raw, how>(to[2], i, v.z);
+  store<N, how>(to[0], i, v.x);
+  store<N, how>(to[1], i, v.y);
+  store<N, how>(to[2], i, v.z);
 }
 
 #if FIXED_LANE_BYTES == 64
@@ -138,46 +134,42 @@ FIXED_LANE_FUNCTION void store_vertices(const std::array<N*, 3>& to, std::size_t
 template <class N>
 FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* from, std::size_t i,
                                                     first_elements some) {
-  using raw = typename N::raw_type;
-  const i32 first = load<raw>(from, 3 * i, some.third(0));
-  const i32 second = load<raw>(from, 3 * i + width, some.third(1));
-  const i32 third = load<raw>(from, 3 * i + 2 * width, some.third(2));
+  const i32 first = load<N>(from, 3 * i, some.third(0));
+  const i32 second = load<N>(from, 3 * i + width, some.third(1));
+  const i32 third = load<N>(from, 3 * i + 2 * width, some.third(2));
   return vertices_of(first, second, third);
 }
 
 template <class N>
 FIXED_LANE_FUNCTION void store_vertices(void* to, std::size_t i, const block_of_vertices& v,
                                         first_elements some) {
-  using raw = typename N::raw_type;
   const registers_of_vertices r = registers_of(v);
-  store<raw>(to, 3 * i, r.first, some.third(0));
-  store<raw>(to, 3 * i + width, r.second, some.third(1));
-  store<raw>(to, 3 * i + 2 * width, r.third, some.third(2));
+  store<N>(to, 3 * i, r.first, some.third(0));
+  store<N>(to, 3 * i + width, r.second, some.third(1));
+  store<N>(to, 3 * i + 2 * width, r.third, some.third(2));
 }
 template <class N>
 FIXED_LANE_FUNCTION void store_vertices(const std::array<N*, 3>& to, std::size_t i,
                                         const block_of_vertices& v, first_elements some) {
-  using raw = typename N::raw_type;
-  store<raw>(to[0], i, v.x, some);
-  store<raw>(to[1], i, v.y, some);
-  store<raw>(to[2], i, v.z, some);
+  store<N>(to[0], i, v.x, some);
+  store<N>(to[1], i, v.y, some);
+  store<N>(to[2], i, v.z, some);
 }
 
 #endif
 
 template <class N>
 FIXED_LANE_FUNCTION void store_points(void* to, std::size_t i, i32 x, i32 y) {
-  using raw = typename N::raw_type;
   const i32 low = lanes(from_points<0>);
   const i32 high = lanes(from_points<1>);
   constexpr unsigned odds = 0xaaaa;
-  store<raw>(to, 2 * i, blend<odds>(permute(x, low), permute(y, low)));
-  store<raw>(to, 2 * i + width, blend<odds>(permute(x, high), permute(y, high)));
+  store<N>(to, 2 * i, blend<odds>(permute(x, low), permute(y, low)));
+  store<N>(to, 2 * i + width, blend<odds>(permute(x, high), permute(y, high)));
 }
 template <class N>
 FIXED_LANE_FUNCTION void store_points(const std::array<N*, 2>& to, std::size_t i, i32 x, i32 y) {
-  store<typename N::raw_type>(to[0], i, x);
-  store<typename N::raw_type>(to[1], i, y);
+  store<N>(to[0], i, x);
+  store<N>(to[1], i, y);
 }
 
 inline bool in_place(const void* from, const void* to) { return from == to; }
@@ -301,7 +293,7 @@ FIXED_LANE_FUNCTION std::size_t transform_blocks(const transform_rows<N>& rows, 
   const transform_lanes<decltype(row_of<Transform>(rows[0]))> t{
       row_of<Transform>(rows[0]), row_of<Transform>(rows[1]), row_of<Transform>(rows[2])};
   std::size_t i = 0;
-  if constexpr (may_store_past<typename N::raw_type>) {
+  if constexpr (may_store_past<N>) {
     const bool many = count >= past_caches_from / (3 * sizeof(N));
     std::size_t first = many ? 0 : width;
     while (first < width && !are_aligned<N>(to, first)) ++first;
