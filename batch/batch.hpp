@@ -20,7 +20,8 @@
 /// shortest argument, marks included, sets the length of the batch; nothing beyond it is read or
 /// written. An output may be the same span as an input. Any other overlap with an input or output
 /// leaves the results, report and marks unspecified, but the batch writes nothing outside the
-/// outputs and marks. Marks must not overlap any other span. No alignment is required.
+/// outputs and marks. Marks must not overlap any other span, nor an output the rows of a transform.
+/// No alignment is required.
 ///
 /// **Vertices** are three numbers x, y, z, and points are two. Each is a std::array of numbers or a
 /// struct that contains only them.
@@ -46,128 +47,13 @@
 #include "batch/detail/inlining.hpp"
 #include "batch/detail/portable.hpp"
 #include "batch/detail/report.hpp"
+#include "batch/detail/run.hpp"
 #include "batch/detail/spans.hpp"
 #include "batch/detail/targets.hpp"
+#include "batch/vertices.hpp"
 #include "fixed/detail/wide_sum.hpp"
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
-
-namespace fixproof::batch {
-
-/// Options of a batch operation.
-struct options {
-  /// The path to use; path::portable replaces one that the processor lacks.
-  path use = best();
-  /// If not empty, entry i is set to whether element i has a fault, and nothing is thrown.
-  std::span<bool> marks = {};
-};
-
-}  // namespace fixproof::batch
-
-namespace fixproof::detail {
-
-template <class... Ranges>
-std::size_t batch_length(const batch::options& how, const Ranges&... ranges) noexcept {
-  const std::size_t count = shortest(ranges...);
-  return how.marks.empty() ? count : (std::min)(count, how.marks.size());
-}
-
-inline std::span<bool> batch_marks(const batch::options& how, std::size_t count) noexcept {
-  return how.marks.empty() ? how.marks : how.marks.first(count);
-}
-
-/// The rows of a transform; the fourth column is the translation.
-template <class N>
-using transform_rows = std::array<std::array<N, 4>, 3>;
-
-template <class N>
-raw_transform<typename N::raw_type> raws_of(const transform_rows<N>& rows) noexcept {
-  raw_transform<typename N::raw_type> raws;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 4; ++k) raws[i][k] = rows[i][k].raw();
-  }
-  return raws;
-}
-
-/// Runs a batch. Computes a few elements one by one. Computes more on the path of `how`, as far as
-/// it goes, and the remaining ones with the number type.
-/// \tparam few      up to this many elements are faster one by one
-/// \tparam has      whether the loops cover the operation
-/// \tparam O        the overflow rule of the operation
-/// \tparam Fault    the divide errors of the operation
-/// \param blocks    (loops, fault_recorder&) -> number of elements done
-/// \param element   (index) -> outcome
-/// \param store     (index, raw)
-/// \param rest      (number of elements done, fault_recorder&), computes the others
-/// \param operation the name in the text of an error
-template <std::size_t few, bool has, overflow O, divide_fault Fault, class Blocks, class Element,
-          class Store, class Rest>
-FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
-                                            std::size_t count, const Blocks& blocks,
-                                            const Element& element, const Store& store,
-                                            const Rest& rest) {
-  fault_recorder found(batch_marks(how, count));
-  if (count <= few) {
-    few_elements(0, count, found, element, store);
-  } else {
-    const std::size_t done =
-        on_path<has>(how.use, [&](auto loops) { return blocks(loops, found); });
-    if (done < count) rest(done, found);
-  }
-  return found.template finish<O, Fault>(operation);
-}
-
-/// The same, with a plain loop for the remaining elements.
-template <std::size_t few, bool has, overflow O, divide_fault Fault = divide_fault::none,
-          class Blocks, class Element, class Store>
-FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
-                                            std::size_t count, const Blocks& blocks,
-                                            const Element& element, const Store& store) {
-  return run_batch<few, has, O, Fault>(operation, how, count, blocks, element, store,
-                                       [&](std::size_t done, fault_recorder& found) {
-                                         each_element(done, count, found, element, store);
-                                       });
-}
-
-template <class N>
-inline constexpr bool transform_never_throws = N::never_throws&& N::multiply_never_throws;
-
-template <class N>
-inline constexpr bool project_never_throws = N::divide_never_throws&& N::multiply_never_throws;
-
-/// Refuses policies under which some overflows of a transform throw and others do not. A report
-/// counts all of them together.
-template <class N>
-constexpr void check_transform() noexcept {
-  static_assert(transform_never_throws<N> || (N::rules.range != overflow::saturate &&
-                                              N::rules.product_range() != overflow::saturate),
-                "fixproof::batch::transform cannot saturate sums and throw for products, or "
-                "saturate products and throw for sums: give both one rule, policy::range");
-}
-
-/// The same for a projection.
-template <class N>
-constexpr void check_project() noexcept {
-  static_assert(
-      (N::rules.quotient_range() == overflow::trap) == (N::rules.product_range() == overflow::trap),
-      "fixproof::batch::project throws for quotients and products alike: give both "
-      "overflow::trap, or neither, in policy::quotients and policy::products");
-}
-
-/// Returns a function that stores a raw integer as element i of `to`.
-template <class N>
-auto store_at(N* to) noexcept {
-  return [to](std::size_t i, typename N::raw_type raw) { to[i] = N::from_raw(raw); };
-}
-
-/// Returns the stored integers at index i of three arrays.
-template <class N>
-std::array<typename N::raw_type, 3> tuple_at(const std::array<const N*, 3>& from,
-                                             std::size_t i) noexcept {
-  return {from[0][i].raw(), from[1][i].raw(), from[2][i].raw()};
-}
-
-}  // namespace fixproof::detail
 
 namespace fixproof::batch {
 
@@ -185,7 +71,7 @@ multiply(const A& a, const B& b, Out&& out,
   return detail::run_batch<4, detail::has_lanes<N>, N::rules.product_range()>(
       "multiply", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template multiply<N>(x, y, to, count, found);
+        return on.template run<typename decltype(on)::template products<N>>(count, found, x, y, to);
       },
       [=](std::size_t i) { return detail::multiplied(x[i], y[i]); }, detail::store_at(to));
 }
@@ -205,7 +91,8 @@ mul_add(const A& a, const B& b, const C& c, Out&& out,
   return detail::run_batch<4, detail::has_mul_add_lanes<N>, N::rules.product_range()>(
       "mul_add", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template mul_add<N>(x, y, z, to, count, found);
+        return on.template run<typename decltype(on)::template mul_adds<N>>(count, found, x, y, z,
+                                                                            to);
       },
       [=](std::size_t i) { return detail::multiplied_and_added(x[i], y[i], z[i]); },
       detail::store_at(to));
@@ -226,10 +113,11 @@ divide(const Numerators& n, const Divisors& d, Out&& out,
   const std::size_t count = detail::batch_length(how, n, d, out);
   const auto element = [=](std::size_t i) { return detail::divided(x[i], y[i]); };
   constexpr bool has_quotients = detail::has_quotient_lanes<N>;
-  return detail::run_batch<4, has_quotients, P.quotient_range(), P.fault>(
+  return detail::run_batch<1, has_quotients, P.quotient_range(), P.fault>(
       "divide", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template divide<N>(x, y, to, count, found);
+        return on.template run<typename decltype(on)::template quotients<N>>(count, found, x, y,
+                                                                             to);
       },
       element, detail::store_at(to),
       [&](std::size_t done, detail::fault_recorder& found) {
@@ -251,7 +139,9 @@ sqrt(const X& x, Out&& out, const options& how = {}) noexcept(detail::element_t<
   return detail::run_batch<1, detail::has_root_lanes<N>, N::rules.range>(
       "sqrt", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template sqrt<typename N::raw_type, N::fraction_bits>(from, to, count, found);
+        return on.template run<
+            typename decltype(on)::template roots<typename N::raw_type, N::fraction_bits>>(
+            count, found, from, to);
       },
       [=](std::size_t i) { return detail::rooted(from[i]); }, detail::store_at(to));
 }
@@ -267,7 +157,7 @@ FIXED_ALWAYS_INLINE detail::element_t<A> dot(const A& a, const B& b, path use = 
     return fixproof::dot(a, b);
   } else {
     constexpr std::size_t at_once = std::size_t{1} << 30;  // the capacity of loops::dot()
-    constexpr std::size_t few = 8;                         // that are faster one by one
+    constexpr std::size_t few = 4;                         // that are faster one by one
     const N* const x = std::data(a);
     const N* const y = std::data(b);
     const std::size_t count = detail::shortest(a, b);
@@ -296,114 +186,12 @@ FIXED_ALWAYS_INLINE detail::element_t<A> dot(const A& a, const B& b, path use = 
   }
 }
 
-/// out[i] = in[i] transformed: each product is rounded, then row[0] x + row[1] y + row[2] z +
-/// row[3] is summed from the left, as XformVec does. On AVX2 and AVX-512, eight megabytes or more
-/// of 32-bit results bypass the caches.
-template <class Raw, int F, policy P, detail::tuples_of<number<Raw, F, P>, 3> In,
-          detail::output_tuples_of<number<Raw, F, P>, 3> Out>
-FIXED_ALWAYS_INLINE report
-transform(const detail::transform_rows<number<Raw, F, P>>& rows, const In& in, Out&& out,
-          const options& how = {}) noexcept(detail::transform_never_throws<number<Raw, F, P>>) {
-  using N = number<Raw, F, P>;
-  detail::check_transform<N>();
-  const detail::raw_transform<Raw> by = detail::raws_of<N>(rows);
-  const void* const from = std::data(in);
-  void* const to = std::data(out);
-  const std::size_t count = detail::batch_length(how, in, out);
-  return detail::run_batch<0, detail::has_lanes<N>, detail::sums_and_products<N>>(
-      "transform", how, count,
-      [&](auto on, detail::fault_recorder& found) {
-        return on.template transform<N>(by, from, to, count, found);
-      },
-      [=](std::size_t i) {
-        return detail::transformed_vertex<N>(by, detail::load_tuple<Raw, 3>(from, i));
-      },
-      [=](std::size_t i, const auto& v) { detail::store_tuple<Raw, 3>(to, i, v); });
-}
-
-/// The same, with each coordinate in its own span.
-template <class Raw, int F, policy P, detail::input_of<number<Raw, F, P>> X,
-          detail::input_of<number<Raw, F, P>> Y, detail::input_of<number<Raw, F, P>> Z,
-          detail::output_of<number<Raw, F, P>> ToX, detail::output_of<number<Raw, F, P>> ToY,
-          detail::output_of<number<Raw, F, P>> ToZ>
-FIXED_ALWAYS_INLINE report
-transform(const detail::transform_rows<number<Raw, F, P>>& rows, const X& x, const Y& y, const Z& z,
-          ToX&& to_x, ToY&& to_y, ToZ&& to_z,
-          const options& how = {}) noexcept(detail::transform_never_throws<number<Raw, F, P>>) {
-  using N = number<Raw, F, P>;
-  detail::check_transform<N>();
-  const detail::raw_transform<Raw> by = detail::raws_of<N>(rows);
-  const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
-  const std::array<N*, 3> to{std::data(to_x), std::data(to_y), std::data(to_z)};
-  const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y, to_z);
-  return detail::run_batch<0, detail::has_lanes<N>, detail::sums_and_products<N>>(
-      "transform", how, count,
-      [&](auto on, detail::fault_recorder& found) {
-        return on.template transform<N>(by, std::array<const void*, 3>{from[0], from[1], from[2]},
-                                        std::array<void*, 3>{to[0], to[1], to[2]}, count, found);
-      },
-      [=](std::size_t i) { return detail::transformed_vertex<N>(by, detail::tuple_at(from, i)); },
-      [=](std::size_t i, const auto& v) {
-        for (std::size_t k = 0; k < 3; ++k) to[k][i] = N::from_raw(v[k]);
-      });
-}
-
-/// out[i] = the point x / z * constant, y / z * constant of the vertex in[i]. The policy rounds
-/// both the quotient and the product. An element has a divide error if either quotient has one.
-template <class Raw, int F, policy P, detail::tuples_of<number<Raw, F, P>, 3> In,
-          detail::output_tuples_of<number<Raw, F, P>, 2> Out>
-FIXED_ALWAYS_INLINE report
-project(const In& in, number<Raw, F, P> constant, Out&& out,
-        const options& how = {}) noexcept(detail::project_never_throws<number<Raw, F, P>>) {
-  using N = number<Raw, F, P>;
-  detail::check_project<N>();
-  const void* const from = std::data(in);
-  void* const to = std::data(out);
-  const std::size_t count = detail::batch_length(how, in, out);
-  return detail::run_batch<0, detail::has_quotient_lanes<N>, P.quotient_range(), P.fault>(
-      "project", how, count,
-      [&](auto on, detail::fault_recorder& found) {
-        return on.template project<N>(constant.raw(), from, to, count, found);
-      },
-      [=](std::size_t i) {
-        return detail::projected_point(constant, detail::load_tuple<Raw, 3>(from, i));
-      },
-      [=](std::size_t i, const auto& point) { detail::store_tuple<Raw, 2>(to, i, point); });
-}
-
-/// The same, with each coordinate in its own span.
-template <class Raw, int F, policy P, detail::input_of<number<Raw, F, P>> X,
-          detail::input_of<number<Raw, F, P>> Y, detail::input_of<number<Raw, F, P>> Z,
-          detail::output_of<number<Raw, F, P>> ToX, detail::output_of<number<Raw, F, P>> ToY>
-FIXED_ALWAYS_INLINE report
-project(const X& x, const Y& y, const Z& z, number<Raw, F, P> constant, ToX&& to_x, ToY&& to_y,
-        const options& how = {}) noexcept(detail::project_never_throws<number<Raw, F, P>>) {
-  using N = number<Raw, F, P>;
-  detail::check_project<N>();
-  const std::array<const N*, 3> from{std::data(x), std::data(y), std::data(z)};
-  const std::array<N*, 2> to{std::data(to_x), std::data(to_y)};
-  const std::size_t count = detail::batch_length(how, x, y, z, to_x, to_y);
-  return detail::run_batch<0, detail::has_quotient_lanes<N>, P.quotient_range(), P.fault>(
-      "project", how, count,
-      [&](auto on, detail::fault_recorder& found) {
-        return on.template project<N>(constant.raw(),
-                                      std::array<const void*, 3>{from[0], from[1], from[2]},
-                                      std::array<void*, 2>{to[0], to[1]}, count, found);
-      },
-      [=](std::size_t i) { return detail::projected_point(constant, detail::tuple_at(from, i)); },
-      [=](std::size_t i, const auto& point) {
-        for (std::size_t k = 0; k < 2; ++k) to[k][i] = N::from_raw(point[k]);
-      });
-}
-
 /// \cond
 FIXED_REFUSED_RANGES(report, multiply)
 FIXED_REFUSED_RANGES(report, mul_add)
 FIXED_REFUSED_RANGES(report, divide)
 FIXED_REFUSED_RANGES(report, sqrt)
 FIXED_REFUSED_RANGES(detail::element_t<X>, dot)
-FIXED_REFUSED_RANGES(report, transform)
-FIXED_REFUSED_RANGES(report, project)
 /// \endcond
 
 }  // namespace fixproof::batch

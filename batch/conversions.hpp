@@ -49,10 +49,11 @@ noexcept(detail::element_t<Out>::never_throws) {
   const Float* const from = std::data(x);
   N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, x, out);
-  return detail::run_batch<1, detail::has_lanes<N>, N::rules.range>(
+  return detail::run_batch<1, detail::has_float_lanes<N>, N::rules.range>(
       "from_floats", how, count,
       [&](auto on, detail::fault_recorder& found) {
-        return on.template from_floats<N, Float>(from, to, count, found);
+        return on.template run<typename decltype(on)::template from_floats<N, Float>>(count, found,
+                                                                                      from, to);
       },
       [=](std::size_t i) { return detail::from_float<N>(from[i]); }, detail::store_at(to));
 }
@@ -66,9 +67,15 @@ FIXED_ALWAYS_INLINE void to_floats(const X& x, Out&& out, path use = best()) noe
   const N* const from = std::data(x);
   Float* const to = std::data(out);
   const std::size_t count = detail::shortest(x, out);
-  detail::fault_recorder none({});
-  std::size_t i = detail::on_path<detail::has_lanes<N>>(
-      use, [&](auto on) { return on.template to_floats<N, Float>(from, to, count, none); });
+  constexpr std::size_t few = 2;  // that are faster one by one
+  std::size_t i = 0;
+  if (count > few) {
+    detail::fault_recorder none({});
+    i = detail::on_path<detail::has_float_lanes<N>>(use, [&](auto on) {
+      return on.template run<typename decltype(on)::template to_floats<N, Float>>(count, none, from,
+                                                                                  to);
+    });
+  }
   for (; i < count; ++i) to[i] = static_cast<Float>(from[i]);
 }
 

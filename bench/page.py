@@ -11,10 +11,12 @@ SPANS = ((1, 0), (4, 0), (8, 0), (15, 0), (16, 0), (31, 0), (64, 0), (64, 4), (6
          (4096, 16), (1_000_000, 0))
 SHAPES = {"chain": "chain", "loop": "loop", "short": "batch, below 64", "long": "batch, 64 or more",
           "memory": "batch, millions"}
-# Transforms round each product, as FIXED.ASM does, so their sums are up to three halves away.
-ROUNDINGS = {"transform, columns": 3, "transform, interleaved": 3}
+LAYOUTS = ("columns", "interleaved")
+TRANSFORMS = [f"{kind}, {layout}" for layout in LAYOUTS for kind in ("transform", "fused transform")]
+# Transforms round each product, as FIXED.ASM does, so their sums are up to three halves away. Fused ones round once.
+ROUNDINGS = {f"transform, {layout}": 3 for layout in LAYOUTS}
 # What bounds our side, where that is known, by the operation and the kind of the cell.
-ROUNDINGS_COST = "nine products are rounded, as in FIXED.ASM; the peer rounds three sums"
+VERTEX_COST = "vector ALUs: products, and between interleaved vertices shuffles"
 LIMITS = {
     ("multiply", "chain"): "latency of multiply, add and shift",
     ("multiply", "long"): "vector ALUs: shifts and shuffles between 64-bit products",
@@ -35,10 +37,7 @@ LIMITS = {
     ("sin", "long"): "vector ALUs",
     ("sin_cos within 8", "long"): "vector ALUs",
     ("dot", "long"): "loads; the sum of the lanes in short spans",
-    ("transform, columns", "loop"): ROUNDINGS_COST,
-    ("transform, columns", "long"): ROUNDINGS_COST,
-    ("transform, interleaved", "loop"): ROUNDINGS_COST,
-    ("transform, interleaved", "long"): ROUNDINGS_COST,
+    **{(name, "long"): VERTEX_COST for name in TRANSFORMS},
 }
 
 
@@ -178,8 +177,8 @@ def copies(merged):
     """Transforms of many vertices beside copies of the same bytes."""
     lines = []
     for count in (1_000_000, 10_000_000):
-        for operation in ROUNDINGS:
-            line = [f"{operation.removeprefix('transform, ')}, {count:,}"]
+        for operation in TRANSFORMS:
+            line = [f"{operation}, {count:,}"]
             for rows in merged.values():
                 found = cells(rows)
                 cell, copy = found.get((operation, "batch", count, 0)), found.get((COPIES, "batch", count, 0))

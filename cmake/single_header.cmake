@@ -25,7 +25,8 @@ list(JOIN standard_includes "" standard_includes)
 list(JOIN standard_headers "|" standard_header)
 
 # read_header(HEADER RESULT): its text, without comments, the spaces that align line ends in macros, line ends after
-# ( and a comma, and what only a file of its own needs, indented by tabs.
+# ( and a comma, and what only a file of its own needs, indented by tabs. Lines that continue others begin far to the
+# right; three tabs are enough for them.
 function(read_header header result)
   file(READ ${root}/${header} text)
   string(REGEX REPLACE " *//[^\n]*" "" text "\n${text}")
@@ -36,8 +37,10 @@ function(read_header header result)
   while(text MATCHES "\n\t*  ")
     string(REGEX REPLACE "(\n\t*)  " "\\1\t" text "${text}")
   endwhile()
+  string(REGEX REPLACE "\n\t\t\t\t+ ?" "\n\t\t\t" text "${text}")
   string(REPLACE "\n#pragma once\n" "\n" text "${text}")
   string(REGEX REPLACE "\n#include <(${standard_header})>" "" text "${text}")
+  string(REGEX REPLACE "\n$" "" text "${text}")
   set(${result} "\n// ${header}${text}" PARENT_SCOPE)
 endfunction()
 

@@ -47,10 +47,12 @@ enum class Call {
   sin,
   cos,
   sin_cos,
-  dot
+  dot,
+  fused_transform,
+  fused_transform_columns
 };
 
-constexpr std::array<Shape, 12> shapes{{{"multiply", 2, 1, 1, 1},
+constexpr std::array<Shape, 14> shapes{{{"multiply", 2, 1, 1, 1},
                                         {"mul_add", 3, 1, 1, 1},
                                         {"divide", 2, 1, 1, 1},
                                         {"sqrt", 1, 1, 1, 1},
@@ -61,7 +63,9 @@ constexpr std::array<Shape, 12> shapes{{{"multiply", 2, 1, 1, 1},
                                         {"sin", 1, 1, 1, 1},
                                         {"cos", 1, 1, 1, 1},
                                         {"sin_cos", 1, 1, 2, 1},
-                                        {"dot", 2, 1, 0, 1}}};
+                                        {"dot", 2, 1, 0, 1},
+                                        {"fused_transform", 1, 3, 1, 3},
+                                        {"fused_transform of columns", 3, 1, 3, 1}}};
 
 constexpr std::size_t most_spans = 3;
 constexpr std::size_t buffer_size = 4096;
@@ -215,6 +219,10 @@ fixproof::batch::report call(const Layout& layout, std::span<N> buffer, const Ro
       return batch::transform(rows, tuples<N, 3>(in(0)), tuples<N, 3>(out(0)), how);
     case Call::transform_columns:
       return batch::transform(rows, in(0), in(1), in(2), out(0), out(1), out(2), how);
+    case Call::fused_transform:
+      return batch::fused_transform(rows, tuples<N, 3>(in(0)), tuples<N, 3>(out(0)), how);
+    case Call::fused_transform_columns:
+      return batch::fused_transform(rows, in(0), in(1), in(2), out(0), out(1), out(2), how);
     case Call::project:
       return batch::project(tuples<N, 3>(in(0)), rows[0][3], tuples<N, 2>(out(0)), how);
     case Call::project_columns:

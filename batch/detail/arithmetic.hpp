@@ -194,6 +194,7 @@ FIXED_LANE_FUNCTION i32 added(i32 a, i32 b, i32& bad) {
 /// The part of a divisor that the policy uses, with 1 in place of 0, and the lanes with 0.
 struct divisor_lanes {
   std::uint32_t zeros;
+  half_i32 are_zero;
   f64 value;
 };
 
@@ -203,7 +204,8 @@ FIXED_LANE_FUNCTION divisor_lanes divisor_of(half_i32 d) {
   if constexpr (N::rules.divisor == divisor_width::whole_part) {
     d = (d + ((d >> 31) & ((1 << F) - 1))) >> F;
   }
-  return {zero_bits(d), doubles(d - (d == 0))};
+  const half_i32 are_zero = half_i32(d == 0);
+  return {zero_bits(d), are_zero, doubles(d - are_zero)};
 }
 
 FIXED_LANE_FUNCTION f64 magnitude_of(f64 x) {
@@ -263,11 +265,8 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
   half_i32 result = low_words(whole<by_floor>(sum));
   if constexpr (sizeof(raw) == 2) result = (result << 16) >> 16;
   if (d.zeros != 0) [[unlikely]] {
-    for (std::size_t i = 0; i < width / 2; ++i) {
-      if ((d.zeros >> i & 1U) != 0) {
-        result[i] = limit_toward_zero<raw>(static_cast<raw>(n[i]));
-      }
-    }
+    const half_i32 end = ((n >> 31) ^ std::int32_t{(std::numeric_limits<raw>::max)()}) & (n != 0);
+    result = (result & ~d.are_zero) | (end & d.are_zero);
   }
   return result;
 }

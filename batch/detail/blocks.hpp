@@ -17,6 +17,12 @@
 ///     static constexpr bool checks_later = true;
 ///     i32 at(std::size_t i, u64& sums) const;   // see in_range()
 ///
+/// An operation whose blocks callers should not inline has a member is_large.
+///
+/// An operation that may be inexact in some rounding mode of the processor also has
+///
+///     static bool is_exact();
+///
 /// Results whose member `missing` says which elements note() computes once more are noted in
 /// groups.
 
@@ -89,12 +95,15 @@ FIXED_LANE_FUNCTION void whole_blocks(const Operation& operation, std::size_t en
 }
 
 /// Computes a span.
-/// \return the number of elements done: all of them, or none if they do not fill a block and there
-/// are no masks
+/// \return the number of elements done: all of them, or none if they would not be exact, or if they
+/// do not fill a block and there are no masks
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size_t count,
                                            fault_recorder& found) {
   constexpr std::size_t size = Operation::size;
+  if constexpr (requires { Operation::is_exact(); }) {
+    if (!Operation::is_exact()) return 0;
+  }
   if constexpr (has_masks) {
     const std::size_t rest = count % size;
     whole_blocks(operation, count - rest, found);

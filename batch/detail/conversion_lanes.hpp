@@ -67,7 +67,7 @@ struct from_float_results {
 
   template <class Part>
   FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
-    store_half<typename N::raw_type>(out, i, values, part);
+    store_half<N>(out, i, values, part);
   }
   FIXED_LANE_FUNCTION void note(std::size_t i, std::uint32_t of, fault_recorder& found) const {
     if (missing != 0) [[unlikely]] {
@@ -79,6 +79,7 @@ struct from_float_results {
 template <class N, class Float>
 struct from_float_blocks {
   static constexpr std::size_t size = width / 2;
+  static constexpr bool is_large = true;
   static constexpr bool checks_later = false;
   const void* x;
   void* out;
@@ -93,7 +94,7 @@ struct from_float_blocks {
       // rare enough to be computed again.
       constexpr double one = std::uint64_t{1} << N::fraction_bits;
       const half_i32 values = half_up_words(load_doubles<Float, R>(x, i, part), one);
-      return {x, out, values, zero_bits(values ^ (limits::min)())};
+      return {x, out, values, bits_equal(values, (limits::min)())};
     }
     constexpr bool wraps = N::rules.range == overflow::wrap;
     constexpr double lowest = wraps ? -0x1p50 : double{(limits::min)()};
@@ -132,7 +133,7 @@ struct to_double_blocks {
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION double_results at(std::size_t i, Part part) const {
     constexpr double unit = 1.0 / static_cast<double>(std::uint64_t{1} << N::fraction_bits);
-    return double_results(doubles(load_half<typename N::raw_type>(x, i, part)) * unit);
+    return double_results(doubles(load_half<N>(x, i, part)) * unit);
   }
 };
 
@@ -146,20 +147,6 @@ struct float_results : no_faults {
   }
 };
 
-template <class N>
-struct to_float_blocks {
-  static constexpr std::size_t size = width;
-  static constexpr bool checks_later = false;
-  const void* x;
-  void* out;
-
-  template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION float_results at(std::size_t i, Part part) const {
-    constexpr float unit = 1.0F / static_cast<float>(std::uint64_t{1} << N::fraction_bits);
-    return float_results(floats(load<typename N::raw_type>(x, i, part)) * unit);
-  }
-};
-
 /// Tells whether floats() rounds to nearest, ties to even. Tries one tie whose even neighbour is
 /// below and one whose even neighbour is above.
 FIXED_LANE_FUNCTION bool floats_are_nearest() {
@@ -170,6 +157,21 @@ FIXED_LANE_FUNCTION bool floats_are_nearest() {
   return static_cast<std::int32_t>(down[0]) == tie - 1 &&
          static_cast<std::int32_t>(up[0]) == tie + 3;
 }
+
+template <class N>
+struct to_float_blocks {
+  static constexpr std::size_t size = width;
+  static constexpr bool checks_later = false;
+  const void* x;
+  void* out;
+
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION float_results at(std::size_t i, Part part) const {
+    constexpr float unit = 1.0F / static_cast<float>(std::uint64_t{1} << N::fraction_bits);
+    return float_results(floats(load<N>(x, i, part)) * unit);
+  }
+  FIXED_LANE_FUNCTION static bool is_exact() { return floats_are_nearest(); }
+};
 
 }  // namespace fixproof::detail::FIXED_LANES
 #endif

@@ -24,10 +24,6 @@ namespace fixproof::detail {
 /// The faults that a batch report counts. An element with several faults counts for the first.
 enum class fault : std::uint8_t { none, divide_error, overflow, domain_error };
 
-/// The rows of a transform as stored integers; the fourth column is the translation.
-template <class Raw>
-using raw_transform = std::array<std::array<Raw, 4>, 3>;
-
 /// A stored integer, or the stored integers of a vertex, and the fault.
 template <class Raw>
 struct outcome {
@@ -136,42 +132,12 @@ constexpr outcome_of<N> rooted(N x) noexcept {
   return narrowed_element<raw, range>(nearest_root<F>(x.raw()));
 }
 
-/// Applies one row of a transform to a vertex. Rounds each product, then sums from the left.
-template <class N>
-constexpr outcome_of<N> transformed(const std::array<typename N::raw_type, 4>& row,
-                                    const std::array<typename N::raw_type, 3>& v) noexcept {
-  const auto product = [&](std::size_t k) {
-    return multiplied(N::from_raw(row[k]), N::from_raw(v[k]));
-  };
-  outcome_of<N> sum = product(0);
-  const auto add = [&sum](const outcome_of<N>& term) {
-    const outcome_of<N> next =
-        narrowed_element<typename N::raw_type, N::rules.range>(exact_sum(sum.raw, term.raw));
-    sum = {next.raw, first_of(sum.what, first_of(term.what, next.what))};
-  };
-  add(product(1));
-  add(product(2));
-  add({row[3]});
-  return sum;
-}
-
 /// Returns coordinate / depth * constant.
 template <class N>
 constexpr outcome_of<N> projected(N coordinate, N depth, N constant) noexcept {
   const outcome_of<N> quotient = divided(coordinate, depth);
   const outcome_of<N> product = multiplied(N::from_raw(quotient.raw), constant);
   return {product.raw, first_of(quotient.what, product.what)};
-}
-
-/// Returns a transformed vertex and the first fault of its coordinates.
-template <class N>
-constexpr outcome<std::array<typename N::raw_type, 3>> transformed_vertex(
-    const raw_transform<typename N::raw_type>& by,
-    const std::array<typename N::raw_type, 3>& v) noexcept {
-  const auto x = transformed<N>(by[0], v);
-  const auto y = transformed<N>(by[1], v);
-  const auto z = transformed<N>(by[2], v);
-  return {{x.raw, y.raw, z.raw}, first_of(x.what, first_of(y.what, z.what))};
 }
 
 /// Returns a projected point. A divide error in either coordinate takes precedence over an overflow

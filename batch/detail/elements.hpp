@@ -12,7 +12,7 @@ struct sum_results {
 
   template <class Part>
   FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
-    FIXED_LANES::store<typename N::raw_type>(out, i, values, part);
+    FIXED_LANES::store<N>(out, i, values, part);
   }
   FIXED_LANE_FUNCTION void note(std::size_t i, std::uint32_t of, fault_recorder& found) const {
     note_overflows<N::rules.product_range()>(bad, i, found, of);
@@ -30,14 +30,12 @@ struct product_blocks {
 
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION sum_results<N> at(std::size_t i, Part part) const {
-    using raw = typename N::raw_type;
     i32 bad{};
-    const i32 values = product<N>(load<raw>(a, i, part), load<raw>(b, i, part), bad);
+    const i32 values = product<N>(load<N>(a, i, part), load<N>(b, i, part), bad);
     return {values, bad};
   }
   [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, u64& sums) const {
-    using raw = typename N::raw_type;
-    return unchecked_product<N>(load<raw>(a, i), load<raw>(b, i), sums);
+    return unchecked_product<N>(load<N>(a, i), load<N>(b, i), sums);
   }
 };
 
@@ -53,15 +51,13 @@ struct mul_add_blocks {
 
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION sum_results<N> at(std::size_t i, Part part) const {
-    using raw = typename N::raw_type;
     i32 bad{};
-    const i32 values = product_and_sum<N>(load<raw>(a, i, part), load<raw>(b, i, part),
-                                          load<raw>(c, i, part), bad);
+    const i32 values =
+        product_and_sum<N>(load<N>(a, i, part), load<N>(b, i, part), load<N>(c, i, part), bad);
     return {values, bad};
   }
   [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, u64& sums) const {
-    using raw = typename N::raw_type;
-    return unchecked_product_and_sum<N>(load<raw>(a, i), load<raw>(b, i), load<raw>(c, i), sums);
+    return unchecked_product_and_sum<N>(load<N>(a, i), load<N>(b, i), load<N>(c, i), sums);
   }
 };
 
@@ -74,7 +70,7 @@ struct quotient_results {
 
   template <class Part>
   FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
-    store_half<typename N::raw_type>(out, i, values, part);
+    store_half<N>(out, i, values, part);
   }
   FIXED_LANE_FUNCTION void note(std::size_t i, std::uint32_t of, fault_recorder& found) const {
     if ((errors & of) != 0) [[unlikely]] {
@@ -89,6 +85,7 @@ struct quotient_results {
 template <class N>
 struct quotient_blocks {
   static constexpr std::size_t size = width / 2;
+  static constexpr bool is_large = true;
   static constexpr bool checks_later = false;
   const void* n;
   const void* d;
@@ -96,11 +93,11 @@ struct quotient_blocks {
 
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION quotient_results<N> at(std::size_t i, Part part) const {
-    using raw = typename N::raw_type;
     quotient_results<N> results;  // NOLINT(*-pro-type-member-init): all members are set below
-    const divisor_lanes divisor = divisor_of<N>(load_half<raw>(d, i, part));
+    divisor_lanes divisor = divisor_of<N>(load_half<N>(d, i, part));
+    divisor.zeros &= part.bits;  // other lanes are zero, but no error
     results.values =
-        quotient<N>(load_half<raw>(n, i, part), divisor, results.errors, results.overflows);
+        quotient<N>(load_half<N>(n, i, part), divisor, results.errors, results.overflows);
     return results;
   }
 };

@@ -49,6 +49,7 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 // any_bit(x)            whether a bit is set
 // sum_of(x)             the sum of the lanes, modulo 2^64
 // zero_bits(x)          one bit per lane, set if the lane is zero
+// bits_equal(x, value)  one bit per lane, set if the lane is the value
 // bits_at_least(a, b)   one bit per lane, set if a >= b
 // bits_below(a, b)      one bit per lane, set if a < b
 // clamp(x, low, high)   x limited to [low, high]
@@ -168,6 +169,9 @@ FIXED_LANE_FUNCTION i32 integers(f32 x) {
       _mm512_maskz_cvt_roundps_epi32(0xffff, x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
 }
 inline constexpr bool has_half_up_words = true;
+FIXED_LANE_FUNCTION std::uint32_t bits_equal(half_i32 x, std::int32_t value) {
+  return _mm256_cmpeq_epi32_mask(__m256i(x), __m256i(half_i32{} + value));
+}
 FIXED_LANE_FUNCTION half_i32 half_up_words(f64 x, double scale) {
   constexpr int down = _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC;
   const f64 sum = _mm512_maskz_fmadd_round_pd(0xff, x, f64{} + scale, f64{} + 0.5, down);
@@ -250,6 +254,9 @@ FIXED_LANE_FUNCTION void store_past(void* to, i32 x) {
 }
 FIXED_LANE_FUNCTION void wait_for_stores() { _mm_sfence(); }
 inline constexpr bool has_half_up_words = false;
+FIXED_LANE_FUNCTION std::uint32_t bits_equal(half_i32 x, std::int32_t value) {
+  return zero_bits(x ^ value);
+}
 FIXED_LANE_FUNCTION half_i32 half_up_words(f64 /*x*/, double /*scale*/) { return half_i32{}; }
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
@@ -317,6 +324,9 @@ inline constexpr bool can_store_past = false;
 FIXED_LANE_FUNCTION void store_past(void* to, i32 x) { __builtin_memcpy(to, &x, sizeof x); }
 FIXED_LANE_FUNCTION void wait_for_stores() {}
 inline constexpr bool has_half_up_words = false;
+FIXED_LANE_FUNCTION std::uint32_t bits_equal(half_i32 x, std::int32_t value) {
+  return zero_bits(x ^ value);
+}
 FIXED_LANE_FUNCTION half_i32 half_up_words(f64 /*x*/, double /*scale*/) { return half_i32{}; }
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {

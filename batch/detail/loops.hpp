@@ -2,61 +2,52 @@
 /// The loops of batch/batch.hpp and batch/radian.hpp over whole blocks; see
 /// batch/detail/lanes.hpp.
 ///
-/// Each loop returns the number of elements done, and leaves the rest to the caller. Loops that
-/// need exact doubles do nothing if detail::hardware_double is false.
+/// Each loop returns the number of elements done, and leaves the rest to the caller.
 
 #if defined(FIXED_LANES)
-// The loops are never inlined, so that their callers are small and therefore fast for short spans.
+// Loops of many blocks are never inlined, so that their callers are small and therefore fast for
+// short spans.
 #define FIXED_LANE_LOOP FIXED_LANE_TARGET __attribute__((noinline))
 
 namespace fixproof::detail::FIXED_LANES {
 
 /// The loops as a type, which on_path() passes to its callable.
 struct loops {
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t multiply(const void* a, const void* b, void* out,
-                                              std::size_t count, fault_recorder& found) {
-    return each_block(product_blocks<N>{a, b, out}, count, found);
-  }
-
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t mul_add(const void* a, const void* b, const void* c, void* out,
-                                             std::size_t count, fault_recorder& found) {
-    return each_block(mul_add_blocks<N>{a, b, c, out}, count, found);
-  }
-
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t divide(const void* n, const void* d, void* out,
-                                            std::size_t count, fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
-    return each_block(quotient_blocks<N>{n, d, out}, count, found);
-  }
-
-  template <class Raw, int F>
-  FIXED_LANE_LOOP static std::size_t sqrt(const void* x, void* out, std::size_t count,
-                                          fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
-    return each_block(root_blocks<Raw, F>{x, out}, count, found);
-  }
-
-  template <class N, class Float>
-  FIXED_LANE_LOOP static std::size_t from_floats(const void* x, void* out, std::size_t count,
-                                                 fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
-    return each_block(from_float_blocks<N, Float>{x, out}, count, found);
-  }
-
-  template <class N, class Float>
-  FIXED_LANE_LOOP static std::size_t to_floats(const void* x, void* out, std::size_t count,
-                                               fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
-    if constexpr (std::is_same_v<Float, double>) {
-      return each_block(to_double_blocks<N>{x, out}, count, found);
-    } else {
-      if (!floats_are_nearest()) return 0;
-      return each_block(to_float_blocks<N>{x, out}, count, found);
+  /// Computes a span with the operation of these places.
+  template <class Operation, class... Places>
+  FIXED_ALWAYS_INLINE static std::size_t run(std::size_t count, fault_recorder& found,
+                                             Places... places) {
+#if FIXED_LANE_BYTES == 64 && FIXED_SURE_OF_AVX512
+    // The caller has these instructions, too, so one block needs no call.
+    if constexpr (!requires { Operation::is_large; }) {
+      if (count <= Operation::size) {
+        one_block(Operation{places...}, 0, first_elements(count), found);
+        return count;
+      }
     }
+#endif
+    return many<Operation>(count, found, places...);
   }
+  template <class Operation, class... Places>
+  FIXED_LANE_LOOP static std::size_t many(std::size_t count, fault_recorder& found,
+                                          Places... places) {
+    return each_block(Operation{places...}, count, found);
+  }
+
+  // Operations for run().
+  template <class N>
+  using products = product_blocks<N>;
+  template <class N>
+  using mul_adds = mul_add_blocks<N>;
+  template <class N>
+  using quotients = quotient_blocks<N>;
+  template <class Raw, int F>
+  using roots = root_blocks<Raw, F>;
+  template <class N, class Float>
+  using from_floats = from_float_blocks<N, Float>;
+  template <class N, class Float>
+  using to_floats =
+      std::conditional_t<std::is_same_v<Float, double>, to_double_blocks<N>, to_float_blocks<N>>;
 
   /// Adds the products to `sum`, modulo 2^64 or exactly. \pre For exact sums: count <= 2^30
   template <class Raw, class Sum>
@@ -86,52 +77,26 @@ struct loops {
     return i;
   }
 
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t transform(const raw_transform<typename N::raw_type>& by,
-                                               const void* in, void* out, std::size_t count,
+  /// Does nothing if the lanes are too narrow for sums. References to pointers spare copies of
+  /// pointers that were stored one by one, which would wait for those stores.
+  template <template <class> class Transform, class N, class From, class To>
+  FIXED_LANE_LOOP static std::size_t transform(const transform_rows<N>& rows, const From& from,
+                                               const To& to, std::size_t count,
                                                fault_recorder& found) {
-    return transform_blocks<N>(by, interleaved_vertices<typename N::raw_type>{in, out}, count,
-                               found);
+    if (!Transform<N>::sums_fit_lanes(rows)) return 0;
+    return transform_blocks<Transform>(rows, from, to, count, found);
   }
 
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t transform(const raw_transform<typename N::raw_type>& by,
-                                               const std::array<const void*, 3>& in,
-                                               const std::array<void*, 3>& out, std::size_t count,
-                                               fault_recorder& found) {
-    return transform_blocks<N>(by, vertex_columns<typename N::raw_type>{in, out}, count, found);
-  }
-
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t project(std::int32_t constant, const void* in, void* out,
+  template <class N, class From, class To>
+  FIXED_LANE_LOOP static std::size_t project(N constant, const From& from, const To& to,
                                              std::size_t count, fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
       i32 x;
       i32 y;
-      project_block<N>(load_vertices<typename N::raw_type>(in, i), i32{} + constant, x, y, i,
+      project_block<N>(load_vertices<N>(from, i, whole_block{}), i32{} + constant.raw(), x, y, i,
                        found);
-      store_points<typename N::raw_type>(out, i, x, y);
-    }
-    return i;
-  }
-
-  template <class N>
-  FIXED_LANE_LOOP static std::size_t project(std::int32_t constant,
-                                             const std::array<const void*, 3>& in,
-                                             const std::array<void*, 2>& out, std::size_t count,
-                                             fault_recorder& found) {
-    if constexpr (!hardware_double) return 0;
-    std::size_t i = 0;
-    for (; count - i >= width; i += width) {
-      i32 x;
-      i32 y;
-      project_block<N>({load<typename N::raw_type>(in[0], i), load<typename N::raw_type>(in[1], i),
-                        load<typename N::raw_type>(in[2], i)},
-                       i32{} + constant, x, y, i, found);
-      store<typename N::raw_type>(out[0], i, x);
-      store<typename N::raw_type>(out[1], i, y);
+      store_points<N>(to, i, x, y);
     }
     return i;
   }

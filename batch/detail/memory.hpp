@@ -1,8 +1,8 @@
 /// \file
 /// Loads and stores of blocks; see batch/detail/lanes.hpp.
 ///
-/// `base` points to the stored integer of element 0. AVX-512 can also load and store the first
-/// elements of a block without touching the others (has_masks).
+/// `base` points to element 0. Raw may be a number or its stored integer. AVX-512 can also load and
+/// store the first elements of a block without touching the others (has_masks).
 
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
@@ -14,9 +14,16 @@ struct whole_block {
 
 /// The first `count` elements of a block, with a bit set for each.
 struct first_elements {
-  std::uint32_t bits;
+  std::size_t count;
+  std::uint32_t bits = (1U << count) - 1;
 
-  explicit first_elements(std::size_t count) : bits((1U << count) - 1) {}
+  explicit first_elements(std::size_t n) : count(n) {}
+  /// The part of register i of three that holds as many vertices. The upper bits mean nothing.
+  [[nodiscard]] first_elements third(std::size_t i) const {
+    first_elements part = *this;
+    part.bits = static_cast<std::uint32_t>(((std::uint64_t{1} << 3 * count) - 1) >> i * width);
+    return part;
+  }
 };
 
 /// Loads half a block.
@@ -36,7 +43,7 @@ FIXED_LANE_FUNCTION half_i32 load_half(const void* base, std::size_t index, whol
 
 template <class Raw>
 FIXED_LANE_FUNCTION void store_half(void* base, std::size_t index, half_i32 x, whole_block = {}) {
-  auto* to = static_cast<Raw*>(base) + index;
+  void* const to = static_cast<Raw*>(base) + index;
   if constexpr (sizeof(Raw) == 4) {
     __builtin_memcpy(to, &x, sizeof x);
   } else {
@@ -72,7 +79,7 @@ FIXED_LANE_FUNCTION i32 load(const void* base, std::size_t index, whole_block = 
 
 template <class Raw>
 FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x, whole_block = {}) {
-  auto* to = static_cast<Raw*>(base) + index;
+  void* const to = static_cast<Raw*>(base) + index;
   if constexpr (sizeof(Raw) == 4) {
     __builtin_memcpy(to, &x, sizeof x);
   } else {
@@ -99,7 +106,7 @@ FIXED_LANE_FUNCTION half_i32 load_half(const void* base, std::size_t index, firs
 template <class Raw>
 FIXED_LANE_FUNCTION void store_half(void* base, std::size_t index, half_i32 x,
                                     first_elements some) {
-  auto* to = static_cast<Raw*>(base) + index;
+  void* const to = static_cast<Raw*>(base) + index;
   const auto mask = static_cast<__mmask8>(some.bits);
   if constexpr (sizeof(Raw) == 4) {
     _mm256_mask_storeu_epi32(to, mask, __m256i(x));
@@ -132,7 +139,7 @@ FIXED_LANE_FUNCTION i32 load(const void* base, std::size_t index, first_elements
 
 template <class Raw>
 FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x, first_elements some) {
-  auto* to = static_cast<Raw*>(base) + index;
+  void* const to = static_cast<Raw*>(base) + index;
   const auto mask = static_cast<__mmask16>(some.bits);
   if constexpr (sizeof(Raw) == 4) {
     _mm512_mask_storeu_epi32(to, mask, __m512i(x));

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "batch/detail/inlining.hpp"
 #include "fixed/detail/instead.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/math.hpp"
@@ -39,7 +40,7 @@ concept made_of = (size == 2 &&
 
 /// A range whose elements consist of exactly `size` numbers N.
 template <class Range, class N, std::size_t size>
-concept tuples_of = std::is_trivially_copyable_v<element_t<Range>> &&
+concept tuples_of = is_number<N> && std::is_trivially_copyable_v<element_t<Range>> &&
                         std::is_standard_layout_v<element_t<Range>> &&
                         sizeof(element_t<Range>) == size * sizeof(N) &&
                     made_of<element_t<Range>, N, size>&& sized<Range>;
@@ -48,30 +49,49 @@ template <class Range, class N, std::size_t size>
 concept output_tuples_of = tuples_of<Range, N, size> &&
     !std::is_const_v<std::remove_reference_t<decltype(*std::data(std::declval<Range&>()))>>;
 
-/// Returns the length of the shortest range. Sizes may be signed, as in Qt.
-template <class... Ranges>
-constexpr std::size_t shortest(const Ranges&... ranges) noexcept {
-  return (std::min)({static_cast<std::size_t>(std::size(ranges))...});
+/// Returns the length of the shortest range. Sizes may be signed, as in Qt. Compares two at a time,
+/// because GCC 12 keeps a list of sizes in memory.
+template <class First, class... Others>
+FIXED_ALWAYS_INLINE constexpr std::size_t shortest(const First& first,
+                                                   const Others&... others) noexcept {
+  auto least = static_cast<std::size_t>(std::size(first));
+  ((least = (std::min)(least, static_cast<std::size_t>(std::size(others)))), ...);
+  return least;
 }
 
-/// Loads the stored integers of an element of `size` numbers. Copies them one by one, because GCC
-/// 12 keeps the array in memory after a memcpy of more than a register.
-template <class Raw, std::size_t size>
-std::array<Raw, size> load_tuple(const void* base, std::size_t index) noexcept {
-  const auto* const from = static_cast<const char*>(base) + index * size * sizeof(Raw);
-  std::array<Raw, size> tuple;
-  for (std::size_t c = 0; c < size; ++c) {
-    std::memcpy(&tuple[c], from + c * sizeof(Raw), sizeof(Raw));
-  }
+/// Stored integers of numbers N: of a vertex or of a point.
+template <class N, std::size_t size>
+using raw_tuple = std::array<typename N::raw_type, size>;
+
+/// Loads an element of `size` numbers. Copies them one by one, because GCC 12 keeps the array in
+/// memory after a memcpy of more than a register.
+template <class N, std::size_t size>
+FIXED_ALWAYS_INLINE raw_tuple<N, size> load_tuple(const void* base, std::size_t index) noexcept {
+  const auto* const from = static_cast<const char*>(base) + index * size * sizeof(N);
+  raw_tuple<N, size> tuple;
+  for (std::size_t c = 0; c < size; ++c) std::memcpy(&tuple[c], from + c * sizeof(N), sizeof(N));
   return tuple;
 }
 
-template <class Raw, std::size_t size>
-void store_tuple(void* base, std::size_t index, const std::array<Raw, size>& tuple) noexcept {
-  auto* const to = static_cast<char*>(base) + index * size * sizeof(Raw);
-  for (std::size_t c = 0; c < size; ++c) {
-    std::memcpy(to + c * sizeof(Raw), &tuple[c], sizeof(Raw));
-  }
+/// The same from columns.
+template <class N, std::size_t size>
+FIXED_ALWAYS_INLINE raw_tuple<N, size> load_tuple(const std::array<const N*, size>& from,
+                                                  std::size_t index) noexcept {
+  raw_tuple<N, size> tuple;
+  for (std::size_t c = 0; c < size; ++c) tuple[c] = from[c][index].raw();
+  return tuple;
+}
+
+template <class N, std::size_t size>
+void store_tuple(void* base, std::size_t index, const raw_tuple<N, size>& tuple) noexcept {
+  auto* const to = static_cast<char*>(base) + index * size * sizeof(N);
+  for (std::size_t c = 0; c < size; ++c) std::memcpy(to + c * sizeof(N), &tuple[c], sizeof(N));
+}
+
+template <class N, std::size_t size>
+void store_tuple(const std::array<N*, size>& to, std::size_t index,
+                 const raw_tuple<N, size>& tuple) noexcept {
+  for (std::size_t c = 0; c < size; ++c) to[c][index] = N::from_raw(tuple[c]);
 }
 
 }  // namespace fixproof::detail

@@ -13,6 +13,7 @@
 #include "batch/detail/element.hpp"
 #include "batch/detail/inlining.hpp"
 #include "batch/detail/report.hpp"
+#include "batch/detail/transforms.hpp"
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/hardware.hpp"
 #include "fixed/detail/quotient.hpp"
@@ -48,21 +49,19 @@ template <class N>
 inline constexpr bool has_mul_add_lanes =
     has_lanes<N>&& N::fraction_bits <= bits_of<typename N::raw_type> - 2;
 
+/// The same for conversions, which need exact doubles.
+template <class N>
+inline constexpr bool has_float_lanes = has_lanes<N>&& hardware_double;
+
 /// The same for quotients, whose numerators must fit into 48 bits.
 template <class N>
 inline constexpr bool has_quotient_lanes =
-    has_lanes<N>&& has_fast_quotient<typename N::raw_type, N::fraction_bits, N::rules>;
+    has_float_lanes<N>&& has_fast_quotient<typename N::raw_type, N::fraction_bits, N::rules>;
 
 /// The same for square roots.
 template <class N>
 inline constexpr bool has_root_lanes =
-    has_lanes<N>&& has_fast_root<typename N::raw_type, N::fraction_bits>;
-
-/// The overflow rule of a transform: that of its sums, or of its products if sums wrap.
-template <class N>
-inline constexpr overflow sums_and_products = N::rules.range == overflow::wrap
-                                                  ? N::rules.product_range()
-                                                  : N::rules.range;
+    has_float_lanes<N>&& has_fast_root<typename N::raw_type, N::fraction_bits>;
 
 }  // namespace fixproof::detail
 
@@ -85,9 +84,9 @@ inline constexpr overflow sums_and_products = N::rules.range == overflow::wrap
 #define FIXED_SURE_OF_AVX2 false
 #endif
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define FIXED_SURE_OF_AVX512 true
+#define FIXED_SURE_OF_AVX512 1
 #else
-#define FIXED_SURE_OF_AVX512 false
+#define FIXED_SURE_OF_AVX512 0
 #endif
 
 #if defined(FIXED_BATCH_X86)
@@ -142,15 +141,27 @@ inline bool has(path which) noexcept {
   return false;
 }
 
+}  // namespace fixproof::batch
+
+namespace fixproof::detail {
+
+/// The fastest path that this program can take. A batch that runs before this is initialised takes
+/// the portable path. A local variable would be tested for initialisation by every call.
+#if FIXED_SURE_OF_AVX512
+inline constexpr batch::path fastest = batch::path::avx512;
+#else
+inline const batch::path fastest = has(batch::path::avx512) ? batch::path::avx512
+                                   : has(batch::path::avx2) ? batch::path::avx2
+                                   : has(batch::path::neon) ? batch::path::neon
+                                                            : batch::path::portable;
+#endif
+
+}  // namespace fixproof::detail
+
+namespace fixproof::batch {
+
 /// Returns the fastest path that this program can take.
-inline path best() noexcept {
-  if (FIXED_SURE_OF_AVX512) return path::avx512;
-  static const path found = has(path::avx512) ? path::avx512
-                            : has(path::avx2) ? path::avx2
-                            : has(path::neon) ? path::neon
-                                              : path::portable;
-  return found;
-}
+inline path best() noexcept { return detail::fastest; }
 
 }  // namespace fixproof::batch
 
@@ -166,8 +177,10 @@ template <bool has, class Call>
 FIXED_ALWAYS_INLINE std::size_t on_path(batch::path which, const Call& call) {
   if constexpr (has) {
 #if defined(FIXED_BATCH_X86)
-    if (which == batch::path::avx512 && batch::has(which)) return call(avx512::loops{});
-    if (which == batch::path::avx2 && batch::has(which)) return call(avx2::loops{});
+    if (which == batch::path::avx512 && fastest == which) return call(avx512::loops{});
+    if (which == batch::path::avx2 && (fastest == which || batch::has(which))) {
+      return call(avx2::loops{});
+    }
 #elif defined(FIXED_BATCH_NEON)
     if (which == batch::path::neon) return call(neon::loops{});
 #endif

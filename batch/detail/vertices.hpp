@@ -4,8 +4,7 @@
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
 
-/// \name Conversion between interleaved (x y z ..., x y ...) and per-coordinate blocks
-/// \{
+// Conversion between interleaved (x y z ..., x y ...) and per-coordinate blocks.
 
 struct block_of_vertices {
   i32 x, y, z;
@@ -77,9 +76,9 @@ FIXED_LANE_FUNCTION registers_of_vertices registers_of(const block_of_vertices& 
 // NOLINTBEGIN(*-reinterpret-cast,performance-no-int-to-ptr)
 
 /// Whether element `index` is aligned to the register size.
-template <class Raw>
-bool is_register_aligned(const void* base, std::size_t index) {
-  return (reinterpret_cast<std::uintptr_t>(base) + index * sizeof(Raw)) % FIXED_LANE_BYTES == 0;
+template <class N>
+bool is_aligned(const void* base, std::size_t index) {
+  return (reinterpret_cast<std::uintptr_t>(base) + index * sizeof(N)) % FIXED_LANE_BYTES == 0;
 }
 
 /// Prefetches the data that is read eight AVX-512 blocks later. In a stream of three registers per
@@ -98,62 +97,95 @@ FIXED_LANE_FUNCTION void prefetch(const void* base, std::size_t index) {
 
 // NOLINTEND(*-reinterpret-cast,performance-no-int-to-ptr)
 
-/// Loads the block of vertices that starts at `index`.
-template <class Raw>
-FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* base, std::size_t index) {
-  constexpr std::size_t vertex = 3 * sizeof(Raw);
-  prefetch<vertex * width>(base, vertex * index);
-  const i32 first = load<Raw>(base, 3 * index);
-  const i32 second = load<Raw>(base, 3 * index + width);
-  const i32 third = load<Raw>(base, 3 * index + 2 * width);
+/// \name Vertices x y z x y z in one array, or each coordinate in its own
+/// \{
+
+template <class N>
+FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* from, std::size_t i, whole_block) {
+  prefetch<3 * sizeof(N) * width>(from, 3 * sizeof(N) * i);
+  const i32 first = load<N>(from, 3 * i);
+  const i32 second = load<N>(from, 3 * i + width);
+  const i32 third = load<N>(from, 3 * i + 2 * width);
   return vertices_of(first, second, third);
 }
+template <class N, class Part>
+FIXED_LANE_FUNCTION block_of_vertices load_vertices(const std::array<const N*, 3>& from,
+                                                    std::size_t i, Part part) {
+  return {load<N>(from[0], i, part), load<N>(from[1], i, part), load<N>(from[2], i, part)};
+}
 
-template <class Raw, stores how>
-FIXED_LANE_FUNCTION void store_vertices(void* base, std::size_t index, const block_of_vertices& v) {
+template <class N, stores how>
+FIXED_LANE_FUNCTION void store_vertices(void* to, std::size_t i, const block_of_vertices& v) {
   const registers_of_vertices r = registers_of(v);
-  store<Raw, how>(base, 3 * index, r.first);
-  store<Raw, how>(base, 3 * index + width, r.second);
-  store<Raw, how>(base, 3 * index + 2 * width, r.third);
+  store<N, how>(to, 3 * i, r.first);
+  store<N, how>(to, 3 * i + width, r.second);
+  store<N, how>(to, 3 * i + 2 * width, r.third);
+}
+template <class N, stores how>
+FIXED_LANE_FUNCTION void store_vertices(const std::array<N*, 3>& to, std::size_t i,
+                                        const block_of_vertices& v) {
+  store<N, how>(to[0], i, v.x);
+  store<N, how>(to[1], i, v.y);
+  store<N, how>(to[2], i, v.z);
 }
 
 #if FIXED_LANE_BYTES == 64
 
-/// The part of register `i` of three that holds some vertices.
-FIXED_LANE_FUNCTION first_elements part_of(first_elements vertices, std::size_t i) {
-  // Three bits for each vertex.
-  const std::uint64_t all = vertices.bits;
-  const auto count = 3 * static_cast<std::size_t>(__builtin_popcountll(all));
-  return first_elements((std::min)(width, count - (std::min)(count, width * i)));
-}
-
-template <class Raw>
-FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* base, std::size_t index,
+template <class N>
+FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* from, std::size_t i,
                                                     first_elements some) {
-  const i32 first = load<Raw>(base, 3 * index, part_of(some, 0));
-  const i32 second = load<Raw>(base, 3 * index + width, part_of(some, 1));
-  const i32 third = load<Raw>(base, 3 * index + 2 * width, part_of(some, 2));
+  const i32 first = load<N>(from, 3 * i, some.third(0));
+  const i32 second = load<N>(from, 3 * i + width, some.third(1));
+  const i32 third = load<N>(from, 3 * i + 2 * width, some.third(2));
   return vertices_of(first, second, third);
 }
 
-template <class Raw>
-FIXED_LANE_FUNCTION void store_vertices(void* base, std::size_t index, const block_of_vertices& v,
+template <class N>
+FIXED_LANE_FUNCTION void store_vertices(void* to, std::size_t i, const block_of_vertices& v,
                                         first_elements some) {
   const registers_of_vertices r = registers_of(v);
-  store<Raw>(base, 3 * index, r.first, part_of(some, 0));
-  store<Raw>(base, 3 * index + width, r.second, part_of(some, 1));
-  store<Raw>(base, 3 * index + 2 * width, r.third, part_of(some, 2));
+  store<N>(to, 3 * i, r.first, some.third(0));
+  store<N>(to, 3 * i + width, r.second, some.third(1));
+  store<N>(to, 3 * i + 2 * width, r.third, some.third(2));
+}
+template <class N>
+FIXED_LANE_FUNCTION void store_vertices(const std::array<N*, 3>& to, std::size_t i,
+                                        const block_of_vertices& v, first_elements some) {
+  store<N>(to[0], i, v.x, some);
+  store<N>(to[1], i, v.y, some);
+  store<N>(to[2], i, v.z, some);
 }
 
 #endif
 
-template <class Raw>
-FIXED_LANE_FUNCTION void store_points(void* base, std::size_t index, i32 x, i32 y) {
+template <class N>
+FIXED_LANE_FUNCTION void store_points(void* to, std::size_t i, i32 x, i32 y) {
   const i32 low = lanes(from_points<0>);
   const i32 high = lanes(from_points<1>);
   constexpr unsigned odds = 0xaaaa;
-  store<Raw>(base, 2 * index, blend<odds>(permute(x, low), permute(y, low)));
-  store<Raw>(base, 2 * index + width, blend<odds>(permute(x, high), permute(y, high)));
+  store<N>(to, 2 * i, blend<odds>(permute(x, low), permute(y, low)));
+  store<N>(to, 2 * i + width, blend<odds>(permute(x, high), permute(y, high)));
+}
+template <class N>
+FIXED_LANE_FUNCTION void store_points(const std::array<N*, 2>& to, std::size_t i, i32 x, i32 y) {
+  store<N>(to[0], i, x);
+  store<N>(to[1], i, y);
+}
+
+inline bool in_place(const void* from, const void* to) { return from == to; }
+template <class N>
+bool in_place(const std::array<const N*, 3>& from, const std::array<N*, 3>& to) {
+  return std::find_first_of(to.begin(), to.end(), from.begin(), from.end()) != to.end();
+}
+
+/// Whether the results from vertex i on are aligned to the register size.
+template <class N>
+bool are_aligned(const void* to, std::size_t i) {
+  return is_aligned<N>(to, 3 * i);
+}
+template <class N>
+bool are_aligned(const std::array<N*, 3>& to, std::size_t i) {
+  return is_aligned<N>(to[0], i) && is_aligned<N>(to[1], i) && is_aligned<N>(to[2], i);
 }
 
 /// \}
@@ -161,117 +193,87 @@ FIXED_LANE_FUNCTION void store_points(void* base, std::size_t index, i32 x, i32 
 // The functions of std::array lack the target attribute.
 // NOLINTBEGIN(*-avoid-c-arrays)
 
-/// The coefficients of a transform, each broadcast to every lane.
-struct broadcast_transform {
-  i32 rows[3][4];
+/// A row of a transform, each number in every lane.
+template <class N>
+struct product_row {
+  i32 x, y, z, start;
+
+  [[nodiscard]] FIXED_LANE_FUNCTION i32 of(const block_of_vertices& v, i32& bad) const {
+    i32 sum = product<N>(x, v.x, bad);
+    sum = added<N>(sum, product<N>(y, v.y, bad), bad);
+    sum = added<N>(sum, product<N>(z, v.z, bad), bad);
+    return added<N>(sum, start, bad);
+  }
 };
 
-template <class Raw>
-FIXED_LANE_FUNCTION broadcast_transform broadcast(const raw_transform<Raw>& transform) {
-  broadcast_transform result;  // NOLINT(*-pro-type-member-init): each lane is set below
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      result.rows[i][k] = i32{} + std::int32_t{transform[i][k]};
+/// The same for sums that are rounded once, in lanes of twice the width. `start` includes the half
+/// that rounds half up.
+template <class N>
+struct sum_row {
+  i32 x, y, z;
+  u64 start;
+
+  /// Of the even lanes.
+  [[nodiscard]] FIXED_LANE_FUNCTION i64 sum(i64 of_x, i64 of_y, i64 of_z) const {
+    return i64(start + u64(mul_even(i64(x), of_x)) + u64(mul_even(i64(y), of_y)) +
+               u64(mul_even(i64(z), of_z)));
+  }
+  [[nodiscard]] FIXED_LANE_FUNCTION i32 of(const block_of_vertices& v, i32& bad) const {
+    constexpr int F = N::fraction_bits;
+    constexpr rounding rule = N::rules.multiply;
+    constexpr rounding R = rule == rounding::half_up ? rounding::floor : rule;
+    constexpr overflow O = N::rules.product_range();
+    if constexpr (sizeof(N) == 2) {
+      const u32 all = u32(start) + u32(x * v.x) + u32(y * v.y) + u32(z * v.z);
+      return narrowed<O>(rounded<R, F>(i32(all)), bad);
+    } else {
+      return narrowed<O, F>(biased<R, F>(sum(i64(v.x), i64(v.y), i64(v.z))),
+                            biased<R, F>(sum(odd_lanes(v.x), odd_lanes(v.y), odd_lanes(v.z))), bad);
     }
   }
-  return result;
-}
-
-template <class N>
-FIXED_LANE_FUNCTION i32 coordinate(const i32 (&row)[4], const block_of_vertices& v, i32& bad) {
-  i32 sum = product<N>(row[0], v.x, bad);
-  sum = added<N>(sum, product<N>(row[1], v.y, bad), bad);
-  sum = added<N>(sum, product<N>(row[2], v.z, bad), bad);
-  return added<N>(sum, row[3], bad);
-}
-
-template <class N>
-FIXED_LANE_FUNCTION block_of_vertices transformed_block(const broadcast_transform& t,
-                                                        const block_of_vertices& v, i32& bad) {
-  return {coordinate<N>(t.rows[0], v, bad), coordinate<N>(t.rows[1], v, bad),
-          coordinate<N>(t.rows[2], v, bad)};
-}
-
-/// \name Layouts of vertices in memory
-/// \{
-
-/// x y z x y z ...
-template <class Raw>
-struct interleaved_vertices {
-  const void* in;
-  void* out;
-
-  [[nodiscard]] FIXED_LANE_FUNCTION block_of_vertices load(std::size_t i) const {
-    return load_vertices<Raw>(in, i);
-  }
-  template <stores how>
-  FIXED_LANE_FUNCTION void store(std::size_t i, const block_of_vertices& v) const {
-    store_vertices<Raw, how>(out, i, v);
-  }
-  [[nodiscard]] FIXED_LANE_FUNCTION block_of_vertices load_some(std::size_t i,
-                                                                first_elements some) const {
-    return load_vertices<Raw>(in, i, some);
-  }
-  FIXED_LANE_FUNCTION void store_some(std::size_t i, const block_of_vertices& v,
-                                      first_elements some) const {
-    store_vertices<Raw>(out, i, v, some);
-  }
-  [[nodiscard]] bool in_place() const { return in == out; }
-  /// Whether the results from vertex i on are aligned to the register size.
-  [[nodiscard]] bool is_aligned(std::size_t i) const {
-    return is_register_aligned<Raw>(out, 3 * i);
-  }
 };
 
-/// Each coordinate in its own array.
-template <class Raw>
-struct vertex_columns {
-  std::array<const void*, 3> in;
-  std::array<void*, 3> out;
+template <class N>
+FIXED_LANE_FUNCTION i32 broadcast(N x) {
+  return i32{} + std::int32_t{x.raw()};
+}
 
-  [[nodiscard]] FIXED_LANE_FUNCTION block_of_vertices load(std::size_t i) const {
-    using FIXED_LANES::load;
-    return {load<Raw>(in[0], i), load<Raw>(in[1], i), load<Raw>(in[2], i)};
+template <template <class> class Transform, class N>
+FIXED_LANE_FUNCTION auto row_of(const std::array<N, 4>& by) {
+  const i32 x = broadcast(by[0]);
+  const i32 y = broadcast(by[1]);
+  const i32 z = broadcast(by[2]);
+  if constexpr (std::is_same_v<Transform<N>, rounded_products<N>>) {
+    return product_row<N>{x, y, z, broadcast(by[3])};
+  } else {
+    constexpr int F = N::fraction_bits;
+    constexpr bool half_up = N::rules.multiply == rounding::half_up;
+    const auto start = static_cast<std::uint64_t>((std::int64_t{by[3].raw()} << F) +
+                                                  (half_up ? std::int64_t{1} << F >> 1 : 0));
+    const u64 lanes =
+        sizeof(N) == 2 ? u64(u32{} + static_cast<std::uint32_t>(start)) : u64{} + start;
+    return sum_row<N>{x, y, z, lanes};
   }
-  template <stores how>
-  FIXED_LANE_FUNCTION void store(std::size_t i, const block_of_vertices& v) const {
-    using FIXED_LANES::store;
-    store<Raw, how>(out[0], i, v.x);
-    store<Raw, how>(out[1], i, v.y);
-    store<Raw, how>(out[2], i, v.z);
-  }
-  [[nodiscard]] FIXED_LANE_FUNCTION block_of_vertices load_some(std::size_t i,
-                                                                first_elements some) const {
-    using FIXED_LANES::load;
-    return {load<Raw>(in[0], i, some), load<Raw>(in[1], i, some), load<Raw>(in[2], i, some)};
-  }
-  FIXED_LANE_FUNCTION void store_some(std::size_t i, const block_of_vertices& v,
-                                      first_elements some) const {
-    using FIXED_LANES::store;
-    store<Raw>(out[0], i, v.x, some);
-    store<Raw>(out[1], i, v.y, some);
-    store<Raw>(out[2], i, v.z, some);
-  }
-  [[nodiscard]] bool in_place() const {
-    return std::any_of(out.begin(), out.end(), [this](const void* to) {
-      return std::find(in.begin(), in.end(), to) != in.end();
-    });
-  }
-  [[nodiscard]] bool is_aligned(std::size_t i) const {
-    return std::all_of(out.begin(), out.end(),
-                       [i](const void* to) { return is_register_aligned<Raw>(to, i); });
+}
+
+template <class Row>
+struct transform_lanes {
+  Row x, y, z;
+
+  [[nodiscard]] FIXED_LANE_FUNCTION block_of_vertices of(const block_of_vertices& v,
+                                                         i32& bad) const {
+    return {x.of(v, bad), y.of(v, bad), z.of(v, bad)};
   }
 };
-
-/// \}
 
 /// \param of has a bit set for each lane whose overflow is recorded
-template <class N, stores how, class Places>
-FIXED_LANE_FUNCTION void transform_block(const broadcast_transform& t, const Places& places,
+template <class N, stores how, overflow O, class Transform, class From, class To>
+FIXED_LANE_FUNCTION void transform_block(const Transform& t, const From& from, const To& to,
                                          std::size_t i, std::uint32_t of, fault_recorder& found) {
   i32 bad{};
-  places.template store<how>(i, transformed_block<N>(t, places.load(i), bad));
-  note_overflows<sums_and_products<N>>(bad, i, found, of);
+  const block_of_vertices v = load_vertices<N>(from, i, whole_block{});
+  store_vertices<N, how>(to, i, t.of(v, bad));
+  note_overflows<O>(bad, i, found, of);
 }
 
 /// Results of at least this many bytes bypass the caches. They are more than a core's share of the
@@ -280,39 +282,41 @@ FIXED_LANE_FUNCTION void transform_block(const broadcast_transform& t, const Pla
 inline constexpr std::size_t past_caches_from = std::size_t{8} << 20;
 
 /// Transforms all whole blocks, and the vertices after them if there are masks. Always inlined, so
-/// that the pointers of `places` stay in registers: a copy of pointers that were stored one by one
-/// would wait for those stores.
+/// that the pointers stay in registers.
 /// \return the number of vertices done
-template <class N, class Places>
-FIXED_LANE_FUNCTION std::size_t transform_blocks(const raw_transform<typename N::raw_type>& by,
-                                                 const Places& places, std::size_t count,
+template <template <class> class Transform, class N, class From, class To>
+FIXED_LANE_FUNCTION std::size_t transform_blocks(const transform_rows<N>& rows, const From& from,
+                                                 const To& to, std::size_t count,
                                                  fault_recorder& found) {
   constexpr std::uint32_t all = ~0U;
-  const broadcast_transform t = broadcast<typename N::raw_type>(by);
+  constexpr overflow O = Transform<N>::range;
+  const transform_lanes<decltype(row_of<Transform>(rows[0]))> t{
+      row_of<Transform>(rows[0]), row_of<Transform>(rows[1]), row_of<Transform>(rows[2])};
   std::size_t i = 0;
-  if constexpr (may_store_past<typename N::raw_type>) {
+  if constexpr (may_store_past<N>) {
     const bool many = count >= past_caches_from / (3 * sizeof(N));
     std::size_t first = many ? 0 : width;
-    while (first < width && !places.is_aligned(first)) ++first;
-    if (first < width && !places.in_place()) {
+    while (first < width && !are_aligned<N>(to, first)) ++first;
+    if (first < width && !in_place(from, to)) {
       // The first block overlaps the second. Both compute the same values there.
-      transform_block<N, stores::cached>(t, places, 0, (1U << first) - 1, found);
+      transform_block<N, stores::cached, O>(t, from, to, 0, (1U << first) - 1, found);
       for (i = first; count - i >= width; i += width) {
-        transform_block<N, stores::past_caches>(t, places, i, all, found);
+        transform_block<N, stores::past_caches, O>(t, from, to, i, all, found);
       }
       wait_for_stores();
       return i;
     }
   }
   for (; count - i >= width; i += width) {
-    transform_block<N, stores::cached>(t, places, i, all, found);
+    transform_block<N, stores::cached, O>(t, from, to, i, all, found);
   }
   if constexpr (has_masks) {
     if (i < count) {
       const first_elements rest(count - i);
       i32 bad{};
-      places.store_some(i, transformed_block<N>(t, places.load_some(i, rest), bad), rest);
-      note_overflows<sums_and_products<N>>(bad, i, found, rest.bits);
+      const block_of_vertices v = load_vertices<N>(from, i, rest);
+      store_vertices<N>(to, i, t.of(v, bad), rest);
+      note_overflows<O>(bad, i, found, rest.bits);
       i = count;
     }
   }

@@ -174,22 +174,38 @@ void dot_loop(const View<HighwayDot::in, HighwayDot::out>& v, std::size_t count)
   v.x[0] = static_cast<Word>((sum + 0x8000) >> 16);
 }
 
-/// Coordinate k of vertices: each sum of three products is rounded once.
-HWY_INLINE Lanes32 moved(const std::array<std::array<Word, 4>, 3>& by, std::size_t k,
-                         const std::array<Lanes32, 3>& at) {
-  const Words32 d;
-  Products sum = products(at[0], hn::Set(d, by[k][0]));
-  for (std::size_t j = 1; j < 3; ++j) {
-    const Products p = products(at[j], hn::Set(d, by[k][j]));
-    sum = {hn::Add(sum.even, p.even), hn::Add(sum.odd, p.odd)};
+/// The two ways to round coordinate k of vertices: each product, or the sum once.
+struct EachProduct {
+  HWY_INLINE static Lanes32 of(const std::array<Word, 4>& row, const std::array<Lanes32, 3>& at) {
+    const Words32 d;
+    Lanes32 sum = hn::Set(d, row[3]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      sum = hn::Add(sum, rounded(products(at[j], hn::Set(d, row[j]))));
+    }
+    return sum;
   }
-  return hn::Add(rounded(sum), hn::Set(d, by[k][3]));
-}
-HWY_INLINE Word moved_one(const std::array<Word, 4>& row, Word x, Word y, Word z) {
-  const Wide sum = Wide{row[0]} * x + Wide{row[1]} * y + Wide{row[2]} * z;
-  return static_cast<Word>((sum + 0x8000) >> 16) + row[3];
-}
-void transform_loop(const View<HighwayTransform::in, HighwayTransform::out>& v, std::size_t count) {
+  static Word of(const std::array<Word, 4>& row, Word x, Word y, Word z) {
+    return IdiomMultiply::of(row[0], x) + IdiomMultiply::of(row[1], y) +
+           IdiomMultiply::of(row[2], z) + row[3];
+  }
+};
+struct EachSum {
+  HWY_INLINE static Lanes32 of(const std::array<Word, 4>& row, const std::array<Lanes32, 3>& at) {
+    const Words32 d;
+    Products sum = products(at[0], hn::Set(d, row[0]));
+    for (std::size_t j = 1; j < 3; ++j) {
+      const Products p = products(at[j], hn::Set(d, row[j]));
+      sum = {hn::Add(sum.even, p.even), hn::Add(sum.odd, p.odd)};
+    }
+    return hn::Add(rounded(sum), hn::Set(d, row[3]));
+  }
+  static Word of(const std::array<Word, 4>& row, Word x, Word y, Word z) {
+    const Wide sum = Wide{row[0]} * x + Wide{row[1]} * y + Wide{row[2]} * z;
+    return static_cast<Word>((sum + 0x8000) >> 16) + row[3];
+  }
+};
+template <class Row>
+HWY_INLINE void transform_columns(const View<Word, Word>& v, std::size_t count) {
   const Words32 d;
   const auto by = v.rows;
   const std::array<Word*, 3> to{v.x, v.y, v.z};
@@ -197,28 +213,43 @@ void transform_loop(const View<HighwayTransform::in, HighwayTransform::out>& v, 
   for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
     const std::array<Lanes32, 3> at{hn::LoadU(d, v.a + i), hn::LoadU(d, v.b + i),
                                     hn::LoadU(d, v.c + i)};
-    for (std::size_t k = 0; k < 3; ++k) hn::StoreU(moved(by, k, at), d, to[k] + i);
+    for (std::size_t k = 0; k < 3; ++k) hn::StoreU(Row::of(by[k], at), d, to[k] + i);
   }
   for (; i < count; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) to[k][i] = moved_one(by[k], v.a[i], v.b[i], v.c[i]);
+    const Word x = v.a[i];
+    const Word y = v.b[i];
+    const Word z = v.c[i];
+    for (std::size_t k = 0; k < 3; ++k) to[k][i] = Row::of(by[k], x, y, z);
   }
 }
-void transform_interleaved_loop(
-    const View<HighwayTransformInterleaved::in, HighwayTransformInterleaved::out>& v,
-    std::size_t count) {
+using WordVertex = std::array<Word, 3>;
+template <class Row>
+HWY_INLINE void transform_interleaved(const View<WordVertex, WordVertex>& v, std::size_t count) {
   const Words32 d;
   const auto by = v.rows;
   std::size_t i = 0;
   for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
     std::array<Lanes32, 3> at;
     hn::LoadInterleaved3(d, v.a[i].data(), at[0], at[1], at[2]);
-    hn::StoreInterleaved3(moved(by, 0, at), moved(by, 1, at), moved(by, 2, at), d, v.x[i].data());
+    hn::StoreInterleaved3(Row::of(by[0], at), Row::of(by[1], at), Row::of(by[2], at), d,
+                          v.x[i].data());
   }
   for (; i < count; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      v.x[i][k] = moved_one(by[k], v.a[i][0], v.a[i][1], v.a[i][2]);
-    }
+    const auto [x, y, z] = v.a[i];
+    for (std::size_t k = 0; k < 3; ++k) v.x[i][k] = Row::of(by[k], x, y, z);
   }
+}
+void transform_loop(const View<Word, Word>& v, std::size_t count) {
+  transform_columns<EachProduct>(v, count);
+}
+void fused_loop(const View<Word, Word>& v, std::size_t count) {
+  transform_columns<EachSum>(v, count);
+}
+void transform_interleaved_loop(const View<WordVertex, WordVertex>& v, std::size_t count) {
+  transform_interleaved<EachProduct>(v, count);
+}
+void fused_interleaved_loop(const View<WordVertex, WordVertex>& v, std::size_t count) {
+  transform_interleaved<EachSum>(v, count);
 }
 
 }  // namespace fair::HWY_NAMESPACE
@@ -270,6 +301,15 @@ void HighwayTransform::run(const View<in, out>& v, std::size_t count) {
 HWY_EXPORT(transform_interleaved_loop);
 void HighwayTransformInterleaved::run(const View<in, out>& v, std::size_t count) {
   HWY_DYNAMIC_DISPATCH(transform_interleaved_loop)(v, count);
+}
+
+HWY_EXPORT(fused_loop);
+void HighwayFused::run(const View<in, out>& v, std::size_t count) {
+  HWY_DYNAMIC_DISPATCH(fused_loop)(v, count);
+}
+HWY_EXPORT(fused_interleaved_loop);
+void HighwayFusedInterleaved::run(const View<in, out>& v, std::size_t count) {
+  HWY_DYNAMIC_DISPATCH(fused_interleaved_loop)(v, count);
 }
 
 }  // namespace fair

@@ -51,6 +51,12 @@ struct HighwayTransform : Highway<Word> {
 struct HighwayTransformInterleaved : Highway<std::array<Word, 3>> {
   static void run(const View<in, out>& v, std::size_t count);
 };
+struct HighwayFused : Highway<Word> {
+  static void run(const View<in, out>& v, std::size_t count);
+};
+struct HighwayFusedInterleaved : Highway<std::array<Word, 3>> {
+  static void run(const View<in, out>& v, std::size_t count);
+};
 
 }  // namespace fair
 

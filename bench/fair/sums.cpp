@@ -26,37 +26,59 @@ void add_dot(std::vector<Group>& to) {
   all.add_to(to);
 }
 
-void add_transforms(std::vector<Group>& to) {
-  constexpr std::pair<std::size_t, std::size_t> no_cache_holds{10'000'000, 0};
+constexpr std::pair<std::size_t, std::size_t> no_cache_holds{10'000'000, 0};
+
+Sizes vertex_sizes() {
   Sizes sizes = batch_sizes();
   sizes.push_back(no_cache_holds);
+  return sizes;
+}
 
-  Operation<Transform> columns("transform, columns", sizes);
+/// Each product is rounded.
+void add_transforms(std::vector<Group>& to) {
+  Operation<Transform> columns("transform, columns", vertex_sizes());
   columns.in_loop<TypeTransform>(Role::ours).in_batch<BatchTransform>(Role::ours);
-  columns.in_loop<Columns<EachRounded>>().in_loop<Columns<SumRounded>>();
-  columns.in_loop<Columns<SumInDouble>>();
+  columns.in_loop<Columns<EachRounded>>();
 
-  Operation<TransformInterleaved> interleaved("transform, interleaved", sizes);
+  Operation<TransformInterleaved> interleaved("transform, interleaved", vertex_sizes());
   interleaved.in_loop<TypeTransformInterleaved>(Role::ours);
   interleaved.in_batch<BatchTransformInterleaved>(Role::ours);
-  interleaved.in_loop<Interleaved<EachRounded>>().in_loop<Interleaved<SumRounded>>();
-  interleaved.in_loop<Interleaved<SumInDouble>>();
-
-  Operation<Copy> copies("copy of vertices", {{1'000'000, 0}, no_cache_holds});
-  copies.in_batch<MemcpyColumns>();
+  interleaved.in_loop<Interleaved<EachRounded>>();
 #if defined(FAIR_HIGHWAY)
   columns.in_batch<HighwayTransform>();
   interleaved.in_batch<HighwayTransformInterleaved>();
+#endif
+  columns.add_to(to);
+  interleaved.add_to(to);
+}
+
+/// Each sum is rounded once.
+void add_fused_transforms(std::vector<Group>& to) {
+  Operation<Transform> columns("fused transform, columns", vertex_sizes());
+  columns.in_batch<BatchFused>(Role::ours);
+  columns.in_batch<Columns<SumRounded>>().in_batch<Columns<SumInDouble>>();
+
+  Operation<TransformInterleaved> interleaved("fused transform, interleaved", vertex_sizes());
+  interleaved.in_batch<BatchFusedInterleaved>(Role::ours);
+  interleaved.in_batch<Interleaved<SumRounded>>().in_batch<Interleaved<SumInDouble>>();
+#if defined(FAIR_HIGHWAY)
+  columns.in_batch<HighwayFused>();
+  interleaved.in_batch<HighwayFusedInterleaved>();
 #endif
 #if defined(FAIR_EIGEN)
   columns.in_batch<EigenColumns>();
   interleaved.in_batch<EigenVertices<float>>();
 #endif
+  columns.add_to(to);
+  interleaved.add_to(to);
+}
+
+void add_copies(std::vector<Group>& to) {
+  Operation<Copy> copies("copy of vertices", {{1'000'000, 0}, no_cache_holds});
+  copies.in_batch<MemcpyColumns>();
 #if defined(__SSE2__)
   copies.in_batch<StreamColumns>();
 #endif
-  columns.add_to(to);
-  interleaved.add_to(to);
   copies.add_to(to);
 }
 
@@ -65,6 +87,8 @@ void add_transforms(std::vector<Group>& to) {
 void add_sums(std::vector<Group>& to) {
   add_dot(to);
   add_transforms(to);
+  add_fused_transforms(to);
+  add_copies(to);
 }
 
 }  // namespace fair

@@ -132,4 +132,16 @@ struct BatchTransformInterleaved : Batch<std::array<q16_16, 3>> {
   }
 };
 
+struct BatchFused : Batch<q16_16> {
+  static void run(const View<in, out>& v, std::size_t n) {
+    batch::fused_transform(v.rows, std::span(v.a, n), std::span(v.b, n), std::span(v.c, n),
+                           std::span(v.x, n), std::span(v.y, n), std::span(v.z, n));
+  }
+};
+struct BatchFusedInterleaved : Batch<std::array<q16_16, 3>> {
+  static void run(const View<in, out>& v, std::size_t n) {
+    batch::fused_transform(v.rows, std::span(v.a, n), std::span(v.x, n));
+  }
+};
+
 }  // namespace fair

@@ -22,18 +22,35 @@ struct Coordinates {
   Fault fault = Fault::none;
 };
 
-template <class Number>
-Coordinates<Number, 3> expected_vertex(const Rows<Number>& rows, const Vertex<Number>& v) {
+/// \param coordinate (row[0], row[1], row[2], row[3], x, y, z), in numbers of one type
+template <class Number, class Coordinate>
+Coordinates<Number, 3> expected_vertex(const Rows<Number>& rows, const Vertex<Number>& v,
+                                       const Coordinate& coordinate) {
   Coordinates<Number, 3> result;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& row = rows[i];
-    const auto one = expected<Number>([](auto a, auto b, auto c, auto t, auto x, auto y,
-                                         auto z) { return a * x + b * y + c * z + t; },
-                                      row[0], row[1], row[2], row[3], v[0], v[1], v[2]);
+    const auto one = expected<Number>(coordinate, row[0], row[1], row[2], row[3], v[0], v[1], v[2]);
     result.values[i] = one.value;
     if (result.fault == Fault::none) result.fault = one.fault;
   }
   return result;
+}
+
+/// Each product is rounded.
+template <class Number>
+Coordinates<Number, 3> expected_vertex(const Rows<Number>& rows, const Vertex<Number>& v) {
+  return expected_vertex(rows, v, [](auto a, auto b, auto c, auto t, auto x, auto y, auto z) {
+    return a * x + b * y + c * z + t;
+  });
+}
+
+/// Each sum is rounded.
+template <class Number>
+Coordinates<Number, 3> expected_fused_vertex(const Rows<Number>& rows, const Vertex<Number>& v) {
+  return expected_vertex(rows, v, [](auto a, auto b, auto c, auto t, auto x, auto y, auto z) {
+    fixproof::accumulator<decltype(a)> sum;
+    return sum.add_product(a, x).add_product(b, y).add_product(c, z).add(t).result();
+  });
 }
 
 template <class Number>

@@ -81,7 +81,7 @@ TEST(BatchErrors, NameTheFirstElementOfMulAdd) {
   }
 }
 
-TEST(BatchErrors, NameTheFirstVertexOfTransform) {
+TEST(BatchErrors, NameTheFirstVertexOfTransforms) {
   using N = q16_16_trapping;
   std::array<std::array<N, 4>, 3> rows{};
   for (std::size_t i = 0; i < 3; ++i) rows[i][i] = N(200);
@@ -95,6 +95,12 @@ TEST(BatchErrors, NameTheFirstVertexOfTransform) {
     expect_error<fixproof::overflow_error>(text, [&] {
       fixproof::batch::transform(rows, vertices, out, {path, {}});
     });
+    EXPECT_EQ(out[99], (std::array{N(200), N(400), N(600)}));
+    out.assign(100, {});
+    expect_error<fixproof::overflow_error>(
+        "fixed-point overflow: fused_transform(element 37, 2 in all)", [&] {
+          fixproof::batch::fused_transform(rows, vertices, out, {path, {}});
+        });
     EXPECT_EQ(out[99], (std::array{N(200), N(400), N(600)}));
     auto replaced = columns;
     auto& x = replaced[0];
@@ -251,6 +257,9 @@ TEST(Lengths, MayHaveASign) {
   fixproof::batch::transform(rows, a, b, a, x, y, out);
   EXPECT_EQ((std::array{x[19], y[19], out.data()[19], x[20]}),
             (std::array{N(12), N(4), N(12), N()}));
+  fixproof::batch::fused_transform(rows, b, a, a, x, y, out);
+  EXPECT_EQ((std::array{x[19], y[19], out.data()[19], x[20]}),
+            (std::array{N(4), N(12), N(12), N()}));
   fixproof::batch::project(b, a, b, N(3), x, out);
   EXPECT_EQ((std::array{x[19], out.data()[19], x[20]}), (std::array{N(3), N(9), N()}));
 }

@@ -1,0 +1,150 @@
+/// \file
+/// Transforms and projections of vertices: a part of batch/batch.hpp, which documents them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "batch/detail/element.hpp"
+#include "batch/detail/inlining.hpp"
+#include "batch/detail/report.hpp"
+#include "batch/detail/run.hpp"
+#include "batch/detail/spans.hpp"
+#include "batch/detail/targets.hpp"
+#include "batch/detail/transforms.hpp"
+#include "fixed/number.hpp"
+
+namespace fixproof::detail {
+
+/// Transforms the vertices that vector registers leave.
+template <template <class> class Transform, class N, class From, class To>
+FIXED_NOINLINE void transform_rest(const transform_rows<N>& rows, const From& from, const To& to,
+                                   std::size_t done, std::size_t count,
+                                   fault_recorder& found) noexcept {
+  const Transform<N> by{rows};
+  few_elements(
+      done, count, found, [&](std::size_t i) { return transformed(by, load_tuple<N, 3>(from, i)); },
+      [&](std::size_t i, const auto& v) { store_tuple<N, 3>(to, i, v); });
+}
+
+/// Transforms vertices in one array, a pointer, or in three, an array of pointers.
+/// \tparam Transform rounded_products or rounded_sums
+template <template <class> class Transform, class N, class From, class To>
+FIXED_ALWAYS_INLINE batch::report transform_all(
+    const transform_rows<N>& rows, const From& from, const To& to, std::size_t count,
+    const batch::options& how) noexcept(Transform<N>::never_throws) {
+  return run_batch<1, has_lanes<N>, Transform<N>::range>(
+      Transform<N>::name, how, count,
+      [&](auto on, fault_recorder& found) {
+        return on.template transform<Transform>(rows, from, to, count, found);
+      },
+      [&](std::size_t i) { return transformed(Transform<N>{rows}, load_tuple<N, 3>(from, i)); },
+      [&](std::size_t i, const auto& v) { store_tuple<N, 3>(to, i, v); },
+      [&](std::size_t done, fault_recorder& found) {
+        transform_rest<Transform>(rows, from, to, done, count, found);
+      });
+}
+
+template <class N>
+inline constexpr bool project_never_throws = N::divide_never_throws&& N::multiply_never_throws;
+
+/// Projects vertices, as transform_all() transforms them.
+template <class N, class From, class To>
+FIXED_ALWAYS_INLINE batch::report project_all(
+    const From& from, N constant, const To& to, std::size_t count,
+    const batch::options& how) noexcept(project_never_throws<N>) {
+  constexpr policy P = N::rules;
+  static_assert((P.quotient_range() == overflow::trap) == (P.product_range() == overflow::trap),
+                "fixproof::batch::project throws for quotients and products alike: give both "
+                "overflow::trap, or neither, in policy::quotients and policy::products");
+  return run_batch<0, has_quotient_lanes<N>, P.quotient_range(), P.fault>(
+      "project", how, count,
+      [&](auto on, fault_recorder& found) { return on.project(constant, from, to, count, found); },
+      [=](std::size_t i) { return projected_point(constant, load_tuple<N, 3>(from, i)); },
+      [=](std::size_t i, const auto& point) { store_tuple<N, 2>(to, i, point); });
+}
+
+}  // namespace fixproof::detail
+
+namespace fixproof::batch {
+
+/// out[i] = in[i] transformed: each product is rounded, then row[0] x + row[1] y + row[2] z +
+/// row[3] is summed from the left, as XformVec does. On AVX2 and AVX-512, eight megabytes or more
+/// of 32-bit results bypass the caches.
+template <class N, detail::tuples_of<N, 3> In, detail::output_tuples_of<N, 3> Out>
+FIXED_ALWAYS_INLINE report
+transform(const detail::transform_rows<N>& rows, const In& in, Out&& out,
+          const options& how = {}) noexcept(detail::rounded_products<N>::never_throws) {
+  return detail::transform_all<detail::rounded_products>(
+      rows, static_cast<const void*>(std::data(in)), static_cast<void*>(std::data(out)),
+      detail::batch_length(how, in, out), how);
+}
+
+/// The same, with each coordinate in its own span.
+template <class N, detail::input_of<N> X, detail::input_of<N> Y, detail::input_of<N> Z,
+          detail::output_of<N> ToX, detail::output_of<N> ToY, detail::output_of<N> ToZ>
+FIXED_ALWAYS_INLINE report
+transform(const detail::transform_rows<N>& rows, const X& x, const Y& y, const Z& z, ToX&& to_x,
+          ToY&& to_y, ToZ&& to_z,
+          const options& how = {}) noexcept(detail::rounded_products<N>::never_throws) {
+  return detail::transform_all<detail::rounded_products>(
+      rows, std::array<const N*, 3>{std::data(x), std::data(y), std::data(z)},
+      std::array<N*, 3>{std::data(to_x), std::data(to_y), std::data(to_z)},
+      detail::batch_length(how, x, y, z, to_x, to_y, to_z), how);
+}
+
+/// out[i] = in[i] transformed: each row[0] x + row[1] y + row[2] z + row[3] is exact until it is
+/// rounded once, as by fixproof::accumulator. Only that result can be out of range; the policy
+/// handles it as for products. More exact than transform() and faster, but not what XformVec does.
+/// Large results bypass the caches, as there.
+template <class N, detail::tuples_of<N, 3> In, detail::output_tuples_of<N, 3> Out>
+FIXED_ALWAYS_INLINE report
+fused_transform(const detail::transform_rows<N>& rows, const In& in, Out&& out,
+                const options& how = {}) noexcept(detail::rounded_sums<N>::never_throws) {
+  return detail::transform_all<detail::rounded_sums>(rows, static_cast<const void*>(std::data(in)),
+                                                     static_cast<void*>(std::data(out)),
+                                                     detail::batch_length(how, in, out), how);
+}
+
+/// The same, with each coordinate in its own span.
+template <class N, detail::input_of<N> X, detail::input_of<N> Y, detail::input_of<N> Z,
+          detail::output_of<N> ToX, detail::output_of<N> ToY, detail::output_of<N> ToZ>
+FIXED_ALWAYS_INLINE report
+fused_transform(const detail::transform_rows<N>& rows, const X& x, const Y& y, const Z& z,
+                ToX&& to_x, ToY&& to_y, ToZ&& to_z,
+                const options& how = {}) noexcept(detail::rounded_sums<N>::never_throws) {
+  return detail::transform_all<detail::rounded_sums>(
+      rows, std::array<const N*, 3>{std::data(x), std::data(y), std::data(z)},
+      std::array<N*, 3>{std::data(to_x), std::data(to_y), std::data(to_z)},
+      detail::batch_length(how, x, y, z, to_x, to_y, to_z), how);
+}
+
+/// out[i] = the point x / z * constant, y / z * constant of the vertex in[i]. The policy rounds
+/// both the quotient and the product. An element has a divide error if either quotient has one.
+template <class N, detail::tuples_of<N, 3> In, detail::output_tuples_of<N, 2> Out>
+FIXED_ALWAYS_INLINE report
+project(const In& in, N constant, Out&& out,
+        const options& how = {}) noexcept(detail::project_never_throws<N>) {
+  return detail::project_all(static_cast<const void*>(std::data(in)), constant,
+                             static_cast<void*>(std::data(out)), detail::batch_length(how, in, out),
+                             how);
+}
+
+/// The same, with each coordinate in its own span.
+template <class N, detail::input_of<N> X, detail::input_of<N> Y, detail::input_of<N> Z,
+          detail::output_of<N> ToX, detail::output_of<N> ToY>
+FIXED_ALWAYS_INLINE report
+project(const X& x, const Y& y, const Z& z, N constant, ToX&& to_x, ToY&& to_y,
+        const options& how = {}) noexcept(detail::project_never_throws<N>) {
+  return detail::project_all(std::array<const N*, 3>{std::data(x), std::data(y), std::data(z)},
+                             constant, std::array<N*, 2>{std::data(to_x), std::data(to_y)},
+                             detail::batch_length(how, x, y, z, to_x, to_y), how);
+}
+
+/// \cond
+FIXED_REFUSED_RANGES(report, transform)
+FIXED_REFUSED_RANGES(report, fused_transform)
+FIXED_REFUSED_RANGES(report, project)
+/// \endcond
+
+}  // namespace fixproof::batch
