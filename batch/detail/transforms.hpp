@@ -93,12 +93,12 @@ struct rounded_sums {
     }
     if constexpr (std::is_signed_v<raw> && bits == 32) {
       if (fit) {
-        const auto near = sum<std::int64_t>(rows[i], v);
-        return narrowed_element<raw, range>(shift_right<R>(near, fraction));
+        const auto exact = sum<std::int64_t>(rows[i], v);
+        return narrowed_element<raw, range>(shift_right<R>(exact, fraction));
       }
     }
-    const auto far = sum<signed_t<2 * signed_bits<raw> + 2>>(rows[i], v);
-    return narrowed_element<raw, range>(shift_right<R>(far, fraction));
+    const auto exact = sum<signed_t<2 * signed_bits<raw> + 2>>(rows[i], v);
+    return narrowed_element<raw, range>(shift_right<R>(exact, fraction));
   }
 
  private:
