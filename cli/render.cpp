@@ -232,8 +232,8 @@ void add_render(CLI::App& app, int& status) {
   command
       ->add_option(
           "--threads", options->threads,
-          "number of threads, of which a scene takes one for each 40,000 vertices; they change "
-          "no picture; the model takes 1")
+          "most threads to use; small scenes use fewer, one for each 40,000 vertices; the number "
+          "changes no picture; the model takes 1")
       ->transform(whole_number(1, max_threads))
       ->capture_default_str();
   command->add_option("--size", options->size, "size of the picture, as in 640x480")

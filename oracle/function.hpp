@@ -5,45 +5,13 @@
 #include <string_view>
 
 #include "oracle/decimal.hpp"
+#include "oracle/function_names.hpp"
 #include "oracle/integer.hpp"
 #include "oracle/rule.hpp"
 
 namespace oracle {
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage): a list for macros
-/// The functions of real numbers; the last three are of two. Angles are in radians unless the name
-/// says otherwise.
-#define ORACLE_FUNCTIONS(X) \
-  X(exp2)                   \
-  X(exp)                    \
-  X(expm1)                  \
-  X(log2)                   \
-  X(log)                    \
-  X(log10)                  \
-  X(log1p)                  \
-  X(sinh)                   \
-  X(cosh)                   \
-  X(tanh)                   \
-  X(sin)                    \
-  X(cos)                    \
-  X(tan)                    \
-  X(sin_of_degrees)         \
-  X(cos_of_degrees)         \
-  X(tan_of_degrees)         \
-  X(sin_of_turns)           \
-  X(cos_of_turns)           \
-  X(tan_of_turns)           \
-  X(asin)                   \
-  X(acos)                   \
-  X(atan)                   \
-  X(cbrt)                   \
-  X(rsqrt)                  \
-  X(reciprocal)             \
-  X(atan2)                  \
-  X(hypot)                  \
-  X(pow)
-// NOLINTEND(cppcoreguidelines-macro-usage)
-
+/// The functions of real numbers; the last three are of two operands.
 #define ORACLE_ENUMERATOR(name) name,
 enum class Function { ORACLE_FUNCTIONS(ORACLE_ENUMERATOR) };
 #undef ORACLE_ENUMERATOR

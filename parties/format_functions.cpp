@@ -3,13 +3,13 @@
 #include <array>
 #include <stdexcept>
 
-#include "cases/function_names.hpp"
 #include "fixed/angle.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/power.hpp"
 #include "fixed/trigonometry.hpp"
 #include "oracle/fast_format.hpp"
 #include "oracle/function.hpp"
+#include "oracle/function_names.hpp"
 #include "oracle/whole_function.hpp"
 #include "parties/formats.hpp"
 #include "parties/oracle_format.hpp"
@@ -60,8 +60,8 @@ Number computed(Operation operation, Number x, Number y, Number z) {
     return name(x, y);
   // NOLINTEND(cppcoreguidelines-macro-usage)
   switch (operation) {
-    FIXPROOF_FUNCTIONS_OF_ONE(OF_ONE)
-    FIXPROOF_FUNCTIONS_OF_TWO(OF_TWO)
+    ORACLE_FUNCTIONS_OF_ONE(OF_ONE)
+    ORACLE_FUNCTIONS_OF_TWO(OF_TWO)
     case Operation::hypot3:
       return hypot(x, y, z);
     default:

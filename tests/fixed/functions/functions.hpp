@@ -4,13 +4,13 @@
 
 #include <array>
 
-#include "cases/function_names.hpp"
 #include "fixed/angle.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
 #include "fixed/power.hpp"
 #include "fixed/trigonometry.hpp"
 #include "oracle/function.hpp"
+#include "oracle/function_names.hpp"
 #include "tests/support/test.hpp"
 
 namespace functions {
@@ -37,9 +37,9 @@ struct Named {
 #define OF_ONE(name) Named<N>{Function::name, #name, [](N x, N) { return name(x); }},
 #define OF_TWO(name) Named<N>{Function::name, #name, [](N x, N y) { return name(x, y); }},
 template <class N>
-constexpr std::array unary{FIXPROOF_FUNCTIONS_OF_ONE(OF_ONE)};
+constexpr std::array unary{ORACLE_FUNCTIONS_OF_ONE(OF_ONE)};
 template <class N>
-constexpr std::array binary{FIXPROOF_FUNCTIONS_OF_TWO(OF_TWO)};
+constexpr std::array binary{ORACLE_FUNCTIONS_OF_TWO(OF_TWO)};
 #undef OF_ONE
 #undef OF_TWO
 
