@@ -141,27 +141,14 @@ inline bool has(path which) noexcept {
   return false;
 }
 
-}  // namespace fixproof::batch
-
-namespace fixproof::detail {
-
-/// The fastest path that this program can take. A batch that runs before this is initialised takes
-/// the portable path. A local variable would be tested for initialisation by every call.
-#if FIXED_SURE_OF_AVX512
-inline constexpr batch::path fastest = batch::path::avx512;
-#else
-inline const batch::path fastest = has(batch::path::avx512) ? batch::path::avx512
-                                   : has(batch::path::avx2) ? batch::path::avx2
-                                   : has(batch::path::neon) ? batch::path::neon
-                                                            : batch::path::portable;
-#endif
-
-}  // namespace fixproof::detail
-
-namespace fixproof::batch {
-
 /// Returns the fastest path that this program can take.
-inline path best() noexcept { return detail::fastest; }
+inline path best() noexcept {
+  // This reads one word of the compiler's run-time library, so no result is stored.
+  return has(path::avx512) ? path::avx512
+         : has(path::avx2) ? path::avx2
+         : has(path::neon) ? path::neon
+                           : path::portable;
+}
 
 }  // namespace fixproof::batch
 
@@ -177,10 +164,8 @@ template <bool has, class Call>
 FIXED_ALWAYS_INLINE std::size_t on_path(batch::path which, const Call& call) {
   if constexpr (has) {
 #if defined(FIXED_BATCH_X86)
-    if (which == batch::path::avx512 && fastest == which) return call(avx512::loops{});
-    if (which == batch::path::avx2 && (fastest == which || batch::has(which))) {
-      return call(avx2::loops{});
-    }
+    if (which == batch::path::avx512 && batch::has(which)) return call(avx512::loops{});
+    if (which == batch::path::avx2 && batch::has(which)) return call(avx2::loops{});
 #elif defined(FIXED_BATCH_NEON)
     if (which == batch::path::neon) return call(neon::loops{});
 #endif
