@@ -1,5 +1,3 @@
-#include <signal.h>  // NOLINT(modernize-deprecated-headers): SIGFPE as the system names it
-
 #include <algorithm>
 
 #include "judge/machine.hpp"
@@ -21,10 +19,11 @@ class Processor final : public Machine {
   [[nodiscard]] std::uint16_t code_selector() const override { return segment_.code_selector(); }
   Ending call(Registers& registers) override {
     machine_code::HostSegment::Registers host{registers.general, registers.flags};
-    const int signal = segment_.call(host, entry_);
+    const machine_code::CallEnding ending = segment_.call(host, entry_);
     registers = {host.general, host.flags & observed_flags, host.x87};
-    if (signal == 0) return {};
-    return {.end = signal == SIGFPE ? End::divide_error : End::fault};
+    if (ending == machine_code::CallEnding::returned) return {};
+    const bool is_divide_error = ending == machine_code::CallEnding::divide_error;
+    return {.end = is_divide_error ? End::divide_error : End::fault};
   }
 
  private:

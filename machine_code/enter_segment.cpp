@@ -7,8 +7,8 @@
 //   stack saves all registers that the ABI preserves, and the Landing holds its RSP.
 // - DS, ES and SS hold the segment during the call and are restored. FS and GS stay untouched,
 //   because thread-local storage depends on them.
-// - The caller sets only the six arithmetic flags. The flags at the exit are stored, then DF is
-//   cleared, as the ABI requires.
+// - The caller sets only the six arithmetic flags. The flags at the exit are stored, then
+//   cleared: the ABI requires DF to be 0, and AC would make unaligned accesses fault.
 // - The x87, SSE and AVX state stays untouched. A function call leaves no red zone to preserve.
 asm(R"(
         .pushsection .text
@@ -72,7 +72,8 @@ fixproof_leave_segment:
         movl %ebp, 20(%r8)
         movl %esi, 24(%r8)
         movl %edi, 28(%r8)
-        cld
+        pushq $0x202
+        popfq
         popq %r15
         popq %r14
         popq %r13

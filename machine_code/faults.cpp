@@ -12,11 +12,11 @@ namespace fixproof::machine_code {
 
 namespace {
 
-/// The current call of this thread and the signal that ended it. Thread-local, because a signal
+/// The current call of this thread and how it ended. Thread-local, because a signal
 /// handler takes no user argument.
 struct Running {
   SegmentCall* call = nullptr;
-  int signal = 0;
+  CallEnding ending = CallEnding::returned;
 };
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 thread_local Running running;
@@ -24,14 +24,17 @@ thread_local Running running;
 /// CS, GS, FS and SS share one word of the context, with CS lowest.
 constexpr unsigned ss_shift = 48;
 
-bool end_call(int signal, void* context) {
+bool end_call(int /*signal*/, void* context) {
   auto& registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
   auto selectors = static_cast<std::uint64_t>(registers[REG_CSGSFS]);
   const SegmentCall* call = running.call;
   if (call == nullptr || static_cast<std::uint16_t>(selectors) != call->code_selector) {
     return false;
   }
-  running.signal = signal;
+  // SIGFPE would not do: it is also that of the exceptions of x87 and SSE.
+  constexpr greg_t divide_error = 0;
+  running.ending =
+      registers[REG_TRAPNO] == divide_error ? CallEnding::divide_error : CallEnding::fault;
   // Continues where the code would have returned, as the landing code does.
   registers[REG_R10] = registers[REG_RSP];
   registers[REG_RSP] = static_cast<greg_t>(call->landing->stack);
@@ -47,14 +50,14 @@ bool end_call(int signal, void* context) {
 
 void catch_segment_faults() { support::add_fault_handler(end_call); }
 
-int call_segment(SegmentCall& call) {
-  running.signal = 0;
+CallEnding call_segment(SegmentCall& call) {
+  running.ending = CallEnding::returned;
   running.call = &call;
   std::atomic_signal_fence(std::memory_order_seq_cst);
   fixproof_enter_segment(&call);
   std::atomic_signal_fence(std::memory_order_seq_cst);
   running.call = nullptr;
-  return running.signal;
+  return running.ending;
 }
 
 std::uint16_t code_selector_of_64_bits() {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "machine_code/call_ending.hpp"
 #include "machine_code/enter_segment.hpp"
 
 namespace fixproof::machine_code {
@@ -14,8 +15,7 @@ namespace fixproof::machine_code {
 void catch_segment_faults();
 
 /// Calls fixproof_enter_segment() and catches faults in this thread's segment.
-/// @return the signal of the fault that ended the call; 0 if the call returned
-int call_segment(SegmentCall& call);
+CallEnding call_segment(SegmentCall& call);
 
 std::uint16_t code_selector_of_64_bits();
 std::uint16_t stack_selector_of_64_bits();

@@ -86,7 +86,7 @@ void HostSegment::put_exit(std::uint32_t offset) const {
   put(to + 4, code_selector_of_64_bits(), 2);
 }
 
-int HostSegment::call(Registers& registers, std::uint32_t entry) const {
+CallEnding HostSegment::call(Registers& registers, std::uint32_t entry) const {
   SegmentCall call{.registers = {},
                    // Bit 1 of the flags is always set. The system requires enabled interrupts.
                    .flags = 0x202U | (registers.flags & x86model::arithmetic_flags),
@@ -97,11 +97,11 @@ int HostSegment::call(Registers& registers, std::uint32_t entry) const {
                    .landing = parts_->landing};
   std::copy(registers.general.begin(), registers.general.end(), std::begin(call.registers));
   renew_floating_point();  // this process may have raised flags of SSE
-  const int signal = call_segment(call);
+  const CallEnding ending = call_segment(call);
   std::copy(std::begin(call.registers), std::end(call.registers), registers.general.begin());
   registers.flags = call.flags;
   registers.x87 = renew_floating_point();
-  return signal;
+  return ending;
 }
 
 }  // namespace fixproof::machine_code
@@ -123,7 +123,9 @@ HostSegment::~HostSegment() = default;
 std::uint8_t* HostSegment::memory() const { return nullptr; }
 std::uint16_t HostSegment::code_selector() const { return 0; }
 void HostSegment::put_exit(std::uint32_t /*offset*/) const {}
-int HostSegment::call(Registers& /*registers*/, std::uint32_t /*entry*/) const { return 0; }
+CallEnding HostSegment::call(Registers& /*registers*/, std::uint32_t /*entry*/) const {
+  return CallEnding::fault;
+}
 // NOLINTEND(readability-convert-member-functions-to-static)
 
 }  // namespace fixproof::machine_code

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "machine_code/call_ending.hpp"
 #include "machine_code/x87.hpp"
 
 namespace fixproof::machine_code {
@@ -47,8 +48,7 @@ class HostSegment : private boost::noncopyable {
     X87 x87{};  ///< only after a call; every call starts as in a new process
   };
   /// Jumps to `entry`. The registers become those at the exit or at the fault.
-  /// @return 0 at the exit, or the signal of the fault
-  [[nodiscard]] int call(Registers& registers, std::uint32_t entry) const;
+  [[nodiscard]] CallEnding call(Registers& registers, std::uint32_t entry) const;
 
  private:
   struct Parts;

@@ -121,12 +121,11 @@ CallEnding Processor::Calls::call(SegmentMachine& m) const {
   call.registers[sp] = (call.registers[sp] & 0xFFFF0000U) | ((call.registers[sp] + 2) & 0xFFFFU);
   // Bit 1 of the flags is always set. The system requires enabled interrupts.
   call.flags = 0x202U | (m.flags.value & x86model::arithmetic_flags);
-  const int signal = call_segment(call);
+  const CallEnding ending = call_segment(call);
   for (std::size_t r = 0; r < x86model::register_count; ++r) {
     m.registers.write(static_cast<Register>(r), Size::dword, call.registers[r]);
   }
-  if (signal == 0) return CallEnding::returned;
-  return signal == SIGFPE ? CallEnding::divide_error : CallEnding::fault;
+  return ending;
 }
 
 }  // namespace fixproof::machine_code

@@ -218,6 +218,23 @@ TEST(Judge, EveryCallStartsWithTheFloatingPointOfANewProcess) {
   }
 }
 
+TEST(Judge, AnX87ExceptionIsNoDivideError) {
+  const ScratchFolder folder;
+  const std::string source =
+      "imul ebx\nshrd eax, edx, 16\npush dword 0x37B\nfldcw [esp]\nfld1\nfldz\nfdivp\nfwait\n"
+      "pop ecx\nret\n";
+  expect(judge(folder.write("divides_by_zero.asm", source), in_registers + "|--cases|5000"), 1,
+         {"(it faults on this processor, but not on Unicorn)"});
+}
+
+TEST(Judge, ARoutineMaySwitchAlignmentChecksOn) {
+  const ScratchFolder folder;
+  const std::string source =
+      "imul ebx\nshrd eax, edx, 16\npushfd\nor dword [esp], 0x40000\npopfd\nret\n";
+  expect(judge(folder.write("alignment.asm", source), in_registers + "|--cases|5000"), 0,
+         {" on this processor ", "AGREES on 5,000 cases"});
+}
+
 TEST(Judge, AProductOverADivisor) {
   expect(
       judge(routine("muldiv"), "--bits|32|--frame|eax, ebx, ecx -> eax|--as|muldiv|--cases|100000"),
