@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "desync/compare.hpp"
+#include "tests/cli/command.hpp"
 #include "tests/record/sim.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -66,6 +67,18 @@ TEST_F(Rollbacks, AreComparedByTheLastSimulation) {
   const Comparison found = compare();
   EXPECT_EQ(found.verdict, Verdict::equal);
   EXPECT_EQ(found.blocks, 60U);
+}
+
+TEST_F(Rollbacks, ThatAreComparedFromTheirBeginningAreInDifferentFrames) {
+  play(a(), 3, 60);
+  play(b(), 5, 60);
+  const command::Run found = command::run({FIXPROOF_COMMAND, "desync", a(), b()});
+  EXPECT_EQ(found.status, 1);
+  // A simulates frames 0 to 2 again, B first simulates frames 3 and 4.
+  command::expect_contains(found.out, " (frame 0), ");
+  command::expect_contains(
+      found.out,
+      "B is in frame 3 there. If the programs simulate frames again, compare with --rollback.\n");
 }
 
 TEST_F(Rollbacks, HaveADifference) {
