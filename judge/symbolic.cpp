@@ -150,7 +150,7 @@ class Explorer : private SymbolicMachine {
       return true;
     }
     if (bits == 0) return false;
-    return moved(thread, m, o, bits) || computed(thread, m, o, bits) ||
+    return sign_extended(thread, m) || moved(thread, m, o, bits) || computed(thread, m, o, bits) ||
            multiplied(thread, m, o, bits);
   }
 
@@ -184,8 +184,21 @@ class Explorer : private SymbolicMachine {
     return true;
   }
 
+  /// CWD, CDQ and CWDE extend AX or EAX by its sign.
+  bool sign_extended(Thread& thread, const std::string& m) {
+    if (m != "cwd" && m != "cdq" && m != "cwde") return false;
+    const Size size = m == "cdq" ? Size::dword : Size::word;
+    const int n = size == Size::dword ? 32 : 16;
+    const Term wide = t_.sign_extend(thread.state.read(t_, Register::ax, size), 2 * n);
+    if (m == "cwde") {
+      thread.state.write(t_, Register::ax, Size::dword, wide);
+    } else {
+      thread.state.write(t_, Register::dx, size, t_.extract(wide, n, n));
+    }
+    return true;
+  }
+
   bool moved(Thread& thread, const std::string& m, const std::vector<Operand>& o, int bits) {
-    const auto reg = [&](Register r, Size size) { return thread.state.read(t_, r, size); };
     if (m == "nop" && o.empty()) return true;
     if (m == "mov" && o.size() == 2) return write(thread, o[0], read(thread, o[1], bits)), true;
     if (m == "push" && o.size() == 1)
@@ -204,18 +217,6 @@ class Explorer : private SymbolicMachine {
       if (from == 0 || from >= bits) return false;
       const Term value = read(thread, o[1], from);
       write(thread, o[0], m == "movzx" ? t_.zero_extend(value, bits) : t_.sign_extend(value, bits));
-      return true;
-    }
-    const auto sign_to_dx = [&](Size size, int n) {
-      thread.state.write(t_, Register::dx, size,
-                         t_.extract(t_.sign_extend(reg(Register::ax, size), 2 * n), n, n));
-      return true;
-    };
-    if (m == "cwd") return sign_to_dx(Size::word, 16);
-    if (m == "cdq") return sign_to_dx(Size::dword, 32);
-    if (m == "cwde") {
-      thread.state.write(t_, Register::ax, Size::dword,
-                         t_.sign_extend(reg(Register::ax, Size::word), 32));
       return true;
     }
     if (m == "leave" && o.empty()) {

@@ -50,8 +50,14 @@ std::string stages() {
       }
     });
     json.array("arithmetics", [&] {
-      for (const std::string_view name : arithmetic_names) json.element(name);
-      json.element("exact (double)");
+      const auto element = [&](const ArithmeticName& arithmetic) {
+        json.object([&] {
+          json.field("key", arithmetic.key);
+          json.field("name", arithmetic.name);
+        });
+      };
+      for (const ArithmeticName& arithmetic : arithmetic_names) element(arithmetic);
+      element({"double", "exact (double)"});
     });
   });
   return json.text();

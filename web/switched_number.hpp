@@ -30,17 +30,24 @@ enum class Arithmetic : std::uint8_t {
   standard,
   saturating,
 };
-inline constexpr std::array<std::string_view, 11> arithmetic_names{"386, rounded",
-                                                                   "386, multiplies rounded",
-                                                                   "386, divides rounded",
-                                                                   "386, not rounded",
-                                                                   "8088, rounded",
-                                                                   "8088, multiplies rounded",
-                                                                   "8088, divides rounded",
-                                                                   "8088, not rounded",
-                                                                   "8088, rounded, carry repaired",
-                                                                   "q16_16",
-                                                                   "q16_16, saturating"};
+
+struct ArithmeticName {
+  std::string_view key;   ///< what links say
+  std::string_view name;  ///< what people read
+};
+inline constexpr std::array<ArithmeticName, 11> arithmetic_names{{
+    {"i386-on", "386, rounded"},
+    {"i386-mul", "386, multiplies rounded"},
+    {"i386-div", "386, divides rounded"},
+    {"i386-off", "386, not rounded"},
+    {"i8088-on", "8088, rounded"},
+    {"i8088-mul", "8088, multiplies rounded"},
+    {"i8088-div", "8088, divides rounded"},
+    {"i8088-off", "8088, not rounded"},
+    {"i8088-on-repaired", "8088, rounded, carry repaired"},
+    {"q16_16", "q16_16"},
+    {"saturating", "q16_16, saturating"},
+}};
 
 /// Sets the arithmetic of all switched numbers from now on.
 void switch_to(Arithmetic arithmetic);

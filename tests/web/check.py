@@ -293,7 +293,7 @@ def keyboard(driver):
 
 def scenes(driver):
     """A scene runs, and a switched arithmetic continues from where it is."""
-    open_page(driver, "#view=scenes&scene=chapter53&arithmetic=0&against=0")
+    open_page(driver, "#view=scenes&scene=chapter53&arithmetic=i386-on&against=i386-on")
     wait(driver, "frame 61", lambda: int(part(driver, "frame")) > 60, 60)
     print(part(driver, "fps"), "frames per second")
     expect_equal(part(driver, "wrong"), "0", "pixels that differ in one arithmetic")

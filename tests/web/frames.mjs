@@ -43,7 +43,7 @@ scenes.forEach((scene, index) => {
     compared += ours.length;
     const at = native.findIndex((digest, i) => digest !== ours[i]);
     if (at < 0 && native.length === ours.length) return;
-    console.log(`${scene.file}, ${arithmetics[arithmetic]}: picture ${at} differs; ` +
+    console.log(`${scene.file}, ${arithmetics[arithmetic].name}: picture ${at} differs; ` +
       `the module draws ${ours.length}, the command ${native.length}`);
     wrong += 1;
   });

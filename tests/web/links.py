@@ -89,15 +89,15 @@ def scene(driver):
     """Scene, arithmetic, comparison, picture and time: chosen by hand, then by a link."""
     open_page(driver, "#view=scenes&play=no")
     choose(driver, "Scene", "lost_carry")
-    choose(driver, "Arithmetic", "8")
-    choose(driver, "Compared with", "4")
+    choose(driver, "Arithmetic", "i8088-on-repaired")
+    choose(driver, "Compared with", "i8088-on")
     choose(driver, "On the right", "other")
     slide(driver, 150)
     wait(driver, "frame 150", lambda: part(driver, "frame") == "150")
     wanted = shown(driver)
     expect_equal(wanted["controls"][1:],
                  ["8088, rounded, carry repaired", "8088, rounded", "the other arithmetic", "150"], "the controls")
-    link = address(driver, "lost_carry", "arithmetic=8", "against=4", "show=other", "frame=150")
+    link = address(driver, "lost_carry", "arithmetic=i8088-on-repaired", "against=i8088-on", "show=other", "frame=150")
     open_page(driver)
     follow(driver, link)
     restored(driver, link, wanted, "in an open page")
@@ -107,14 +107,14 @@ def scene(driver):
     time.sleep(0.5)
     expect_equal(part(driver, "frame"), "150", "half a second later")
     # Each part of the link changes the pictures that it should: the scene's own, and the one on the right.
-    for changes, pictures in (({"scene": "chapter53"}, [True, True]), ({"arithmetic": "0"}, [True, False]),
-                              ({"against": "0"}, [False, True]), ({"show": "difference"}, [False, True]),
+    for changes, pictures in (({"scene": "chapter53"}, [True, True]), ({"arithmetic": "i386-on"}, [True, False]),
+                              ({"against": "i386-on"}, [False, True]), ({"show": "difference"}, [False, True]),
                               ({"frame": "100"}, [True, True])):
         follow(driver, changed(link, **changes))
         is_ = [a != b for a, b in zip(shown(driver)["pictures"], wanted["pictures"])]
         expect_equal(is_, pictures, f"{changes} changes the pictures")
     # A link wins over what was chosen by hand.
-    for value in ("4", "8", "0"):
+    for value in ("i8088-on", "i8088-on-repaired", "i386-on"):
         choose(driver, "Arithmetic", value)
     follow(driver, link)
     restored(driver, link, wanted, "after choices by hand")
@@ -124,7 +124,7 @@ def scene(driver):
 
 def odd(driver):
     """Other addresses: the controls show what is computed, and quick changes reach the address."""
-    for given, chosen in (("99", "exact (double)"), ("x", "386, rounded")):
+    for given, chosen in (("double", "exact (double)"), ("x", "386, rounded"), ("4", "386, rounded")):
         open_page(driver, f"#view=scenes&play=no&arithmetic={given}")
         expect_equal(shown(driver)["controls"][1], chosen, f"arithmetic={given}")
     open_page(driver, "#view=nothing&unknown=1")
@@ -135,7 +135,7 @@ def odd(driver):
     address(driver, "frame=999")
     # While the scene moves to a frame, another comparison does not stop it.
     slide(driver, 20_000)
-    choose(driver, "Compared with", "0")
+    choose(driver, "Compared with", "i386-on")
     address(driver, "frame=20000")
     wait(driver, "frame 20000", lambda: part(driver, "frame") == "20000", 60)
     expect_equal(text(driver, '[data-part="busy"]'), "", "at the frame")

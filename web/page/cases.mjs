@@ -17,7 +17,7 @@ const cases = [
   },
   {
     name: "Cubes one unit too far away", finding: 18,
-    state: { view: "scenes", scene: "lost_carry", arithmetic: "4", against: "8", play: "no", frame: "0" },
+    state: { view: "scenes", scene: "lost_carry", arithmetic: "i8088-on", against: "i8088-on-repaired", play: "no", frame: "0" },
     says: `The viewer stands at a position with a fraction, so the lost carry shifts whole cubes. On the right is every
       pixel that the repaired routine draws differently. Play the scene, and switch to the repaired arithmetic while it
       runs.`,
@@ -25,7 +25,7 @@ const cases = [
   {
     name: "Thirty minutes of drift", finding: 2,
     state: {
-      view: "scenes", scene: "twelve_cubes", arithmetic: "3", against: "11", show: "other", play: "no",
+      view: "scenes", scene: "twelve_cubes", arithmetic: "i386-off", against: "double", show: "other", play: "no",
       frame: "108000",
     },
     says: `Every step multiplies the last orientation by a small rotation and drops the bits that do not fit. So all

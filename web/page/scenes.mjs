@@ -74,15 +74,17 @@ function tick(now, module, stateNow) {
 let known;
 const stagesOf = (module) => known ??= module.ask("stages");
 const sceneOf = (scenes, state) => scenes.find((scene) => scene.file === state.scene) ?? scenes[0];
+const arithmeticOf = (arithmetics, key) => arithmetics.find((one) => one.key === key) ?? arithmetics[0];
+const indexOf = (arithmetics, key) => arithmetics.indexOf(arithmeticOf(arithmetics, key));
 const within = (text, count) => Math.min(count - 1, Math.max(0, Number.parseInt(text, 10) || 0));
 
 // Opens the scene, or switches the arithmetic of the running one.
 function follow(module, state) {
   const { scenes, arithmetics } = stagesOf(module);
   const opened = [state.scene, state.against].join("\n");
-  const played = within(state.arithmetic, arithmetics.length);
+  const played = indexOf(arithmetics, state.arithmetic);
   if (run.opened !== opened) {
-    module.c.stage_open(scenes.indexOf(sceneOf(scenes, state)), played, within(state.against, arithmetics.length));
+    module.c.stage_open(scenes.indexOf(sceneOf(scenes, state)), played, indexOf(arithmetics, state.against));
     run.target = within(state.frame, MINUTES * 60 * sceneOf(scenes, state).frames_per_second + 1);
     run.frame = 0;
   } else if (run.arithmetic !== played) {
@@ -94,8 +96,8 @@ function follow(module, state) {
 export function scenesView(module, state, update) {
   const { scenes, arithmetics } = stagesOf(module);
   const scene = sceneOf(scenes, state);
-  const numbered = arithmetics.map((name, i) => [String(i), name]);
-  const [arithmetic, against] = [state.arithmetic, state.against].map((i) => String(within(i, arithmetics.length)));
+  const choices = arithmetics.map(({ key, name }) => [key, name]);
+  const [arithmetic, against] = [state.arithmetic, state.against].map((key) => arithmeticOf(arithmetics, key).key);
   const most = MINUTES * 60 * scene.frames_per_second;
   // A change keeps the frame: the address names the one that the scene moves to.
   const change = (changes) => update({ ...changes, frame: String(run.target) });
@@ -115,8 +117,8 @@ export function scenesView(module, state, update) {
     <div class="choices">
       ${select("Scene", scene.file, scenes.map(({ file, name }) => [file, name]),
         (file) => update({ scene: file, frame: "0" }))}
-      ${select("Arithmetic", arithmetic, numbered, (chosen) => change({ arithmetic: chosen }))}
-      ${select("Compared with", against, numbered, (chosen) => change({ against: chosen }))}
+      ${select("Arithmetic", arithmetic, choices, (chosen) => change({ arithmetic: chosen }))}
+      ${select("Compared with", against, choices, (chosen) => change({ against: chosen }))}
       ${select("On the right", state.show, [["difference", "pixels that differ"], ["other", "the other arithmetic"]],
         (chosen) => update({ show: chosen }))}
     </div>

@@ -5,7 +5,7 @@ export const defaults = {
   text: "0.1", format: "q16_16",
   op: "mul", in: "q16_16", a: "0xffffffff", b: "0.5",
   routine: "mul", build: "i386-on", beside: "i8088-on", operands: "-0.5 1.5", step: "0",
-  scene: "twelve_cubes", arithmetic: "4", against: "11", show: "difference", play: "yes", frame: "0",
+  scene: "twelve_cubes", arithmetic: "i8088-on", against: "double", show: "difference", play: "yes", frame: "0",
 };
 
 // Returns the state in an address. Missing keys have their defaults, and unknown keys are ignored.
