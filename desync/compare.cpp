@@ -174,6 +174,42 @@ std::map<std::int64_t, Simulation> last_simulations(LogFile& log) {
   return last;
 }
 
+/// The blocks that two simulations of a frame have in common.
+struct CommonBlocks {
+  word count = 0;
+  word operations = 0;            ///< of A
+  std::optional<word> different;  ///< the first one from which on they differ
+};
+
+CommonBlocks compare_common_blocks(LogFile& a, const Simulation& in_a, LogFile& b,
+                                   const Simulation& in_b) {
+  CommonBlocks common;
+  common.count = std::min(in_a.end - in_a.first, in_b.end - in_b.first);
+  word sum_a = 0;
+  word sum_b = 0;
+  for (word i = 0; i < common.count; ++i) {
+    const Entry x = a.entry(in_a.first + i);
+    const Entry y = b.entry(in_b.first + i);
+    common.operations += x.operations;
+    sum_a += x.hash;
+    sum_b += y.hash;
+    if (sum_a == sum_b) {
+      common.different.reset();
+    } else if (!common.different) {
+      common.different = i;
+    }
+  }
+  return common;
+}
+
+/// Tells whether one side has more blocks in a frame than the other, whose log does not end there.
+bool is_longer(const LogFile& a, const Simulation& in_a, const LogFile& b, const Simulation& in_b) {
+  const word blocks_a = in_a.end - in_a.first;
+  const word blocks_b = in_b.end - in_b.first;
+  if (blocks_a == blocks_b) return false;
+  return blocks_a < blocks_b ? in_a.end != a.blocks() : in_b.end != b.blocks();
+}
+
 }  // namespace
 
 Comparison compare(LogFile& a, LogFile& b) {
@@ -219,40 +255,22 @@ Comparison compare_last_frames(LogFile& a, LogFile& b) {
     if (found == of_b.end() || (is_confirmed && frame > confirmed)) continue;
     const Simulation& in_b = found->second;
     ++comparison.blocks;
-    word sum_a = 0;
-    word sum_b = 0;
-    word operations = 0;
-    std::optional<word> differs;
-    const word common = std::min(in_a.end - in_a.first, in_b.end - in_b.first);
-    for (word i = 0; i < common; ++i) {
-      const Entry x = a.entry(in_a.first + i);
-      const Entry y = b.entry(in_b.first + i);
-      ++comparison.steps;
-      operations += x.operations;
-      sum_a += x.hash;
-      sum_b += y.hash;
-      if (sum_a == sum_b) differs.reset();
-      if (sum_a != sum_b && !differs) differs = i;
-    }
-    if (differs) {
+    const CommonBlocks common = compare_common_blocks(a, in_a, b, in_b);
+    comparison.steps += common.count;
+    if (common.different) {
       Comparison here = comparison;
-      here.a = place_of(a, in_a.first + *differs, in_a.end);
-      here.b = place_of(b, in_b.first + *differs, in_b.end);
+      here.a = place_of(a, in_a.first + *common.different, in_a.end);
+      here.b = place_of(b, in_b.first + *common.different, in_b.end);
       look_into(here);
       if (here.verdict != Verdict::ended) return here;
       continue;
     }
-    comparison.operations += operations;
-    const word blocks_a = in_a.end - in_a.first;
-    const word blocks_b = in_b.end - in_b.first;
-    const bool cut_a = in_a.end == a.blocks();
-    const bool cut_b = in_b.end == b.blocks();
-    if (blocks_a == blocks_b || (blocks_a < blocks_b ? cut_a : cut_b)) continue;
-    // One side does more operations in the frame: the first one is in the block after the common
-    // ones.
-    comparison.a = place_of(a, std::min(in_a.first + common, in_a.end - 1), in_a.end);
-    comparison.b = place_of(b, std::min(in_b.first + common, in_b.end - 1), in_b.end);
-    Place& longer = blocks_a > blocks_b ? comparison.a : comparison.b;
+    comparison.operations += common.operations;
+    if (!is_longer(a, in_a, b, in_b)) continue;
+    // The first additional operation is in the block after the common ones.
+    comparison.a = place_of(a, std::min(in_a.first + common.count, in_a.end - 1), in_a.end);
+    comparison.b = place_of(b, std::min(in_b.first + common.count, in_b.end - 1), in_b.end);
+    Place& longer = common.count < in_a.end - in_a.first ? comparison.a : comparison.b;
     comparison.verdict = longer.records.empty() ? Verdict::block : Verdict::path;
     if (!longer.records.empty()) longer.index = 0;
     return comparison;

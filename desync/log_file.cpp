@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -45,6 +46,22 @@ std::string text_of(const std::array<word, record::page_words>& page) {
     text += static_cast<char>(page[record::page_header + i / 8] >> (8 * (i % 8)) & 0xff);
   }
   return text;
+}
+
+/// Adds to a record what `words` say of it. Returns whether it is complete.
+bool add_to(Record& next, record::kind kind, std::span<const word> words) {
+  if (kind == record::kind::place) {
+    next.file = words[1] >> 32;
+    next.line = static_cast<std::uint32_t>(words[1]);
+    return false;
+  }
+  if (kind == record::kind::input) {
+    next.input = words[1];
+    return false;
+  }
+  next.words.assign(words.begin(), words.end());
+  if (kind == record::kind::mark) next.name = words[1];
+  return true;
 }
 
 }  // namespace
@@ -193,17 +210,7 @@ std::vector<Record> LogFile::records(word block) {
         fail(fmt::format("page {} has a record of the unknown kind {}", i,
                          *words & record::tag_kind));
       }
-      if (kind == record::kind::place) {
-        next.file = words[1] >> 32;
-        next.line = static_cast<std::uint32_t>(words[1]);
-        continue;
-      }
-      if (kind == record::kind::input) {
-        next.input = words[1];
-        continue;
-      }
-      next.words.assign(words, words + length);
-      if (kind == record::kind::mark) next.name = words[1];
+      if (!add_to(next, kind, {words, length})) continue;
       records.push_back(next);
       if (record::is_operation(kind)) ++next.operation;
       next.input.reset();
@@ -236,7 +243,7 @@ std::string LogFile::name(word number) {
 std::string LogFile::name_with_hash(word hash) {
   const word names = page(pages_ - 1)[4] >> 32;
   for (word number = 1; number <= std::min<word>(names, 4096); ++number) {
-    const std::string text = name(number);
+    std::string text = name(number);
     if (record::hash_text(text.data(), text.size()) == hash) return text;
   }
   return "?";

@@ -11,7 +11,6 @@ namespace fixproof::desync {
 
 namespace {
 
-using record::kind;
 using record::value_class;
 
 std::size_t bits_of(std::uint32_t type) {

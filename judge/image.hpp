@@ -37,7 +37,7 @@ struct Image {
   std::uint32_t data = 0;       ///< offset in the data segment of what pointers point to
   std::uint32_t exit = 0;       ///< offset in the code segment of where the routine returns to
 
-  [[nodiscard]] std::uint32_t linear(std::uint16_t segment, std::uint32_t offset) const {
+  [[nodiscard]] static std::uint32_t linear(std::uint16_t segment, std::uint32_t offset) {
     return 16U * segment + offset;
   }
   [[nodiscard]] std::uint32_t code_at(std::uint32_t offset) const {

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "judge/operand.hpp"
@@ -201,10 +202,10 @@ class Explorer : private SymbolicMachine {
   bool moved(Thread& thread, const std::string& m, const std::vector<Operand>& o, int bits) {
     if (m == "nop" && o.empty()) return true;
     if (m == "mov" && o.size() == 2) return write(thread, o[0], read(thread, o[1], bits)), true;
-    if (m == "push" && o.size() == 1)
-      return push(thread,
-                  read(thread, o[0], o[0].kind == Operand::Kind::immediate ? width() : bits)),
-             true;
+    if (m == "push" && o.size() == 1) {
+      push(thread, read(thread, o[0], o[0].kind == Operand::Kind::immediate ? width() : bits));
+      return true;
+    }
     if (m == "pop" && o.size() == 1) return write(thread, o[0], pop(thread, bits)), true;
     if (m == "xchg" && o.size() == 2) {
       const Term first = read(thread, o[0], bits);
@@ -229,77 +230,81 @@ class Explorer : private SymbolicMachine {
     return false;
   }
 
-  bool computed(Thread& thread, const std::string& m, const std::vector<Operand>& o, int bits) {
-    if (o.empty()) return false;
-    const Term none = t_.truth(false);
-    sym::FlagTerms& flags = thread.state.flags;
-    const auto set = [&](const sym::Result& result, bool writes = true) {
-      if (writes) write(thread, o[0], result.value);
-      flags = result.flags;
-      return true;
-    };
-    static const std::map<std::string, Mnemonic> shifts{
+  bool set(Thread& thread, const Operand& to, const sym::Result& result) {
+    write(thread, to, result.value);
+    thread.state.flags = result.flags;
+    return true;
+  }
+
+  bool shifted(Thread& thread, const std::string& m, const std::vector<Operand>& o, int bits) {
+    static const std::map<std::string, Mnemonic> known{
         {"shl", Mnemonic::shl},  {"sal", Mnemonic::shl}, {"shr", Mnemonic::shr},
         {"sar", Mnemonic::sar},  {"rol", Mnemonic::rol}, {"shld", Mnemonic::shld},
         {"shrd", Mnemonic::shrd}};
-    if (const auto shift = shifts.find(m); shift != shifts.end()) {
-      if (o.back().kind != Operand::Kind::immediate) return false;
-      const int count = static_cast<int>(o.back().value & 31U);
-      if (count == 0) return true;
-      const Term a = read(thread, o[0], bits);
-      if (o.size() == 2) {
-        const sym::FlagTerms before = flags;
-        set(sym::shift(t_, shift->second, a, count));
-        if (m == "rol") {
-          flags.zero = before.zero;
-          flags.sign = before.sign;
-        }
-        return true;
+    const auto shift = known.find(m);
+    if (shift == known.end() || o.back().kind != Operand::Kind::immediate) return false;
+    const int count = static_cast<int>(o.back().value & 31U);
+    if (count == 0) return true;
+    const Term a = read(thread, o[0], bits);
+    if (o.size() == 2) {
+      const sym::FlagTerms before = thread.state.flags;
+      set(thread, o[0], sym::shift(t_, shift->second, a, count));
+      if (m == "rol") {
+        thread.state.flags.zero = before.zero;
+        thread.state.flags.sign = before.sign;
       }
-      if (count >= bits) return false;
-      return set(sym::double_shift(t_, shift->second, a, read(thread, o[1], bits), count));
-    }
-    if (o.size() == 1) {
-      if (m != "neg" && m != "not" && m != "inc" && m != "dec") return false;
-      const Term a = read(thread, o[0], bits);
-      const Term one = t_.constant(1, bits);
-      if (m == "neg") return set(sym::sub(t_, t_.constant(0, bits), a, none));
-      if (m == "not") {
-        write(thread, o[0], t_.bit_xor(a, t_.constant(~std::uint64_t{0}, bits)));
-        return true;
-      }
-      const sym::FlagTerm carry = flags.carry;
-      set(m == "inc" ? sym::add(t_, a, one, none) : sym::sub(t_, a, one, none));
-      flags.carry = carry;
       return true;
     }
-    if (o.size() != 2) return false;
-    static const std::map<std::string, int> known{{"add", 0},  {"adc", 1}, {"sub", 2},
-                                                  {"sbb", 3},  {"cmp", 4}, {"and", 5},
-                                                  {"test", 6}, {"or", 7},  {"xor", 8}};
-    const auto found = known.find(m);
-    if (found == known.end()) return false;
+    if (count >= bits) return false;
+    return set(thread, o[0],
+               sym::double_shift(t_, shift->second, a, read(thread, o[1], bits), count));
+  }
+
+  bool computed_from_one(Thread& thread, const std::string& m, const Operand& o, int bits) {
+    if (m != "neg" && m != "not" && m != "inc" && m != "dec") return false;
+    const Term none = t_.truth(false);
+    const Term a = read(thread, o, bits);
+    const Term one = t_.constant(1, bits);
+    if (m == "neg") return set(thread, o, sym::sub(t_, t_.constant(0, bits), a, none));
+    if (m == "not") {
+      write(thread, o, t_.bit_xor(a, t_.constant(~std::uint64_t{0}, bits)));
+      return true;
+    }
+    const sym::FlagTerm carry = thread.state.flags.carry;
+    set(thread, o, m == "inc" ? sym::add(t_, a, one, none) : sym::sub(t_, a, one, none));
+    thread.state.flags.carry = carry;
+    return true;
+  }
+
+  bool computed_from_two(Thread& thread, const std::string& m, const std::vector<Operand>& o,
+                         int bits) {
+    static const std::set<std::string> known{"add", "adc",  "sub", "sbb", "cmp",
+                                             "and", "test", "or",  "xor"};
+    if (!known.contains(m)) return false;
     const Term a = read(thread, o[0], bits);
     const Term b = read(thread, o[1], bits);
-    switch (found->second) {
-      case 0:
-        return set(sym::add(t_, a, b, none));
-      case 1:
-        return set(sym::add(t_, a, b, defined(flags.carry)));
-      case 2:
-      case 4:
-        return set(sym::sub(t_, a, b, none), m == "sub");
-      case 3:
-        // This includes SBB of a register from itself, which spreads the carry.
-        return set(sym::sub(t_, a, b, defined(flags.carry)));
-      case 5:
-      case 6:
-        return set(sym::logic(t_, t_.bit_and(a, b)), m == "and");
-      case 7:
-        return set(sym::logic(t_, t_.bit_xor(t_.bit_xor(a, b), t_.bit_and(a, b))));
-      default:
-        return set(sym::logic(t_, t_.bit_xor(a, b)));
+    const Term carry =
+        m == "adc" || m == "sbb" ? defined(thread.state.flags.carry) : t_.truth(false);
+    const auto result = [&] {
+      if (m == "add" || m == "adc") return sym::add(t_, a, b, carry);
+      // SBB of a register from itself spreads the carry.
+      if (m == "sub" || m == "sbb" || m == "cmp") return sym::sub(t_, a, b, carry);
+      if (m == "xor") return sym::logic(t_, t_.bit_xor(a, b));
+      const Term both = t_.bit_and(a, b);
+      return sym::logic(t_, m == "or" ? t_.bit_xor(t_.bit_xor(a, b), both) : both);
+    }();
+    if (m == "cmp" || m == "test") {
+      thread.state.flags = result.flags;
+      return true;
     }
+    return set(thread, o[0], result);
+  }
+
+  bool computed(Thread& thread, const std::string& m, const std::vector<Operand>& o, int bits) {
+    if (o.empty()) return false;
+    return shifted(thread, m, o, bits) ||
+           (o.size() == 1 && computed_from_one(thread, m, o[0], bits)) ||
+           (o.size() == 2 && computed_from_two(thread, m, o, bits));
   }
 
   bool multiplied(Thread& thread, const std::string& m, const std::vector<Operand>& o, int bits) {
@@ -346,9 +351,7 @@ class Explorer : private SymbolicMachine {
 
 }  // namespace
 
-std::string operand_name(std::size_t index) {
-  return std::string(1, static_cast<char>('a' + index));
-}
+std::string operand_name(std::size_t index) { return {static_cast<char>('a' + index)}; }
 
 SymbolicRun run_symbolically(const Subject& subject, Listing& listing, sym::Terms& terms) {
   SymbolicRun run;

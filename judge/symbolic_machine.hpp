@@ -100,7 +100,7 @@ class SymbolicMachine {
     store_at(thread, address, value);
   }
 
-  Operand stack_at(std::uint32_t offset) const {
+  [[nodiscard]] Operand stack_at(std::uint32_t offset) const {
     return {.kind = Operand::Kind::memory,
             .value = offset,
             .bases = {word_register(x86model::Register::sp)}};
@@ -127,7 +127,7 @@ class SymbolicMachine {
   }
 
   /// Returns the value of a condition such as `nz` or `ge`, or nothing if it is not modelled.
-  std::optional<Term> condition(const Thread& thread, std::string c) {
+  std::optional<Term> condition(const Thread& thread, const std::string& c) {
     const x86model::symbolic::FlagTerms& f = thread.state.flags;
     const auto differ = [&](Term a, Term b) {
       return t_.either(t_.both(a, t_.negation(b)), t_.both(t_.negation(a), b));
@@ -152,8 +152,11 @@ class SymbolicMachine {
     return std::nullopt;
   }
 
+  // NOLINTBEGIN(*-non-private-member-variables-in-classes): its one derived class computes with
+  // them
   const Image& image_;
   x86model::symbolic::Terms& t_;
+  // NOLINTEND(*-non-private-member-variables-in-classes)
 };
 
 }  // namespace fixproof::judge

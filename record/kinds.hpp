@@ -8,8 +8,9 @@
 namespace fixproof::record {
 
 // The numbers are part of the format of the log (docs/recorder.md): never change one. New
-// operations get numbers from 117 to 122. NOLINTBEGIN(cppcoreguidelines-macro-usage): makes an
-// enumeration and its names
+// operations get numbers from 117 to 122.
+// NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): makes an enumeration and
+// its names
 /// Calls X(number, name, text) for every kind of record.
 #define FIXPROOF_RECORD_KINDS(X)                                        \
   X(1, add, "a + b")                                                    \
@@ -131,7 +132,6 @@ namespace fixproof::record {
   X(124, frame, "frame")                                                \
   X(125, mark, "mark")                                                  \
   X(126, place, "place")
-// NOLINTEND(cppcoreguidelines-macro-usage)
 
 /// The kind of a record: an operation of the type, or what the program reports about the run.
 enum class kind : std::uint8_t {
@@ -151,6 +151,7 @@ constexpr const char* text_of(kind k) noexcept {
   }
   return nullptr;
 }
+// NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
 
 /// Tells whether a record of this kind counts as an operation. All do except inputs, frames, marks
 /// and places.

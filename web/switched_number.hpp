@@ -143,6 +143,7 @@ struct Arithmetic<fixproof::web::SwitchedNumber> {
   }
   static std::optional<N> divide(N n, N d);
   /// switch_to() sets it.
+  // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): the module has one thread
   static bool divides_by_whole_part;
   static Turn<N> turn(std::int32_t tenths);
   static N midpoint(N a, N b);

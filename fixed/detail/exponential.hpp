@@ -136,8 +136,8 @@ constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) no
 
 /// The logarithm of 2 in a base.
 struct logarithm_scale {
-  std::int64_t whole;      ///< in units of 2^-57, to nearest
-  std::uint64_t fraction;  ///< in units of 2^-64, rounded down
+  std::int64_t whole = 0;      ///< in units of 2^-57, to nearest
+  std::uint64_t fraction = 0;  ///< in units of 2^-64, rounded down
   real precise;
 };
 

@@ -33,9 +33,9 @@ concept mixed_operands = has_number<A, B...> && !(std::same_as<A, B> && ...);
 /// the C library's function remains the better match wherever it is visible.
 struct no_number {
   // NOLINTNEXTLINE(google-explicit-constructor): takes an operand
-  no_number(std::integral auto) noexcept {}
+  no_number(std::integral auto /*operand*/) noexcept {}
   // NOLINTNEXTLINE(google-explicit-constructor): likewise
-  no_number(std::floating_point auto) noexcept {}
+  no_number(std::floating_point auto /*operand*/) noexcept {}
 };
 
 }  // namespace fixproof::detail

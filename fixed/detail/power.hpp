@@ -72,6 +72,7 @@ constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_b
 /// less than 268435456 units of 2^-61 of it, which is 1/4 ulp.
 constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
   const scaled_word x = scaled(raw, fraction_bits);
+  // NOLINTNEXTLINE(bugprone-misplaced-widening-cast): x.exponent >= -fraction_bits
   const auto exponent = static_cast<std::uint64_t>(x.exponent + 3 * fraction_bits);
   const std::size_t interval = x.m >> 26 & 63;
   const std::uint64_t rest = x.m * reciprocals[interval] << 5;
@@ -115,6 +116,16 @@ struct exact_power {
   std::int64_t ulps;
 };
 
+/// m^n, or 0 above 2^66, where an odd integer has more bits than a tie. \pre m > 1
+constexpr int128 short_power(std::uint64_t m, std::int64_t n) noexcept {
+  int128 power{1};
+  for (std::int64_t i = 0; i < n; ++i) {
+    power = power * int128{m};
+    if ((int128{1} << 66) < power) return int128{0};
+  }
+  return power;
+}
+
 /// x^y for x = raw / 2^fraction_bits and y = exponent / 2^fraction_bits.
 ///
 /// Let x be m 2^e with an odd m, and y be n / 2^k with an odd n. The power is rational only if k
@@ -137,14 +148,8 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
     e /= 2;
   }
   if (m > 1 && n < 0) return unknown;
-  // From 2^66 on, an odd integer has more bits than a tie.
-  int128 power{1};
-  if (m > 1) {
-    for (std::int64_t i = 0; i < n; ++i) {
-      power = power * int128{m};
-      if ((int128{1} << 66) < power) return unknown;
-    }
-  }
+  const int128 power = m > 1 ? short_power(m, n) : int128{1};
+  if (power == int128{0}) return unknown;
   constexpr std::int64_t far_out = 100;
   if (n > far_out || n < -far_out) {
     // A power of two that is out of range or rounds to zero, unless it is 1.

@@ -94,6 +94,7 @@ constexpr auto nearest_root(Raw raw) noexcept {
     if constexpr (hardware_double) {
       if (!std::is_constant_evaluated()) {
         constexpr double units = std::int64_t{1} << FractionBits;
+        // NOLINTNEXTLINE(bugprone-incorrect-roundings): right, as proven above
         return std::int64_t{static_cast<std::int32_t>(sqrt(raw * units) + 0.5)};
       }
     }
