@@ -38,6 +38,7 @@ class log;
 
 namespace detail {
 
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): each thread has its own
 // The state that each operation of a thread updates. They are not members of one class, because g++
 // would load and store them together in a vector register, which is several times slower.
 
@@ -49,6 +50,7 @@ inline constinit thread_local word current_left = 0;
 /// The log of this thread. Each log belongs to one thread, because the order of operations in
 /// different threads differs from run to run.
 inline constinit thread_local log* current_log = nullptr;
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 /// Takes a record at which `current_left` would become 0. Returns what it becomes instead.
 word taken(const word* words, std::size_t count, place from) noexcept;
@@ -125,13 +127,13 @@ class log {
   [[nodiscard]] bool good() const noexcept { return file_.good(); }
 
  private:
-  friend void frame(std::int64_t) noexcept;
-  friend void mark(std::string_view) noexcept;
-  friend void confirm(std::int64_t) noexcept;
+  friend void frame(std::int64_t number) noexcept;
+  friend void mark(std::string_view name) noexcept;
+  friend void confirm(std::int64_t number) noexcept;
   friend void flush() noexcept;
   friend position where() noexcept;
-  friend void detail::put_input(double) noexcept;
-  friend word detail::taken(const word*, std::size_t, place) noexcept;
+  friend void detail::put_input(double x) noexcept;
+  friend word detail::taken(const word* words, std::size_t count, place from) noexcept;
 
   void frame(std::int64_t number) noexcept {
     if (has_records()) end_block(0);

@@ -15,6 +15,7 @@
 namespace fixproof::record {
 
 /// Appends pages to a file. After an error it writes nothing more, so a log has no gaps.
+// NOLINTBEGIN(cppcoreguidelines-owning-memory): this class owns the file
 class page_file {
  public:
   explicit page_file(const char* path) noexcept : file_(std::fopen(path, "wb")) {
@@ -40,7 +41,7 @@ class page_file {
     page[1] = pages_++;
     page[7] = 0;
     page[7] = hash_words(page.data(), page.size());
-    std::array<unsigned char, page_bytes> bytes;
+    std::array<unsigned char, page_bytes> bytes{};
     for (std::size_t i = 0; i < bytes.size(); ++i) {
       bytes[i] = static_cast<unsigned char>(page[i / 8] >> (8 * (i % 8)) & 0xff);
     }
@@ -53,6 +54,7 @@ class page_file {
   std::FILE* file_;
   word pages_ = 0;
 };
+// NOLINTEND(cppcoreguidelines-owning-memory)
 
 /// Puts a text into the contents of a page, eight characters to a word, the first one lowest. Cuts
 /// off what does not fit. Returns the length.

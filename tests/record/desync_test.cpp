@@ -22,10 +22,10 @@ using recorder_test::Plant;
 
 class Runs : public testing::Test {
  protected:
-  std::string a() const { return folder_.path("a.log"); }
-  std::string b() const { return folder_.path("b.log"); }
+  [[nodiscard]] std::string a() const { return folder_.path("a.log"); }
+  [[nodiscard]] std::string b() const { return folder_.path("b.log"); }
 
-  Comparison compare() const {
+  [[nodiscard]] Comparison compare() const {
     LogFile first(a());
     LogFile second(b());
     return desync::compare(first, second);
@@ -180,7 +180,7 @@ TEST_F(Runs, ADifferenceAmongOperandsInAnotherOrderIsFound) {
 TEST_F(Runs, OneMoreOperation) {
   const Comparison found = find(a(), b(), turns, Plant::extra, 4321);
   EXPECT_EQ(found.verdict, Verdict::path);
-  expect_at(found, before + 4 * 4321 + 1);
+  expect_at(found, before + std::uint64_t{4} * 4321 + 1);
 }
 
 /// Records two short runs in full, and returns what compare() finds in either order.

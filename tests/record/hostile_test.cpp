@@ -36,8 +36,9 @@ class Logs : public testing::Test {
     ASSERT_EQ(desync::compare(first, second).verdict, Verdict::operands);
   }
 
-  std::string a() const { return folder_.path("a.log"); }
-  std::string b() const { return folder_.path("b.log"); }
+  [[nodiscard]] std::string path(const char* name) const { return folder_.path(name); }
+  [[nodiscard]] std::string a() const { return path("a.log"); }
+  [[nodiscard]] std::string b() const { return path("b.log"); }
 
   static std::string read(const std::string& path) { return support::read_file(path); }
   static void write(const std::string& path, const std::string& bytes) {
@@ -45,7 +46,7 @@ class Logs : public testing::Test {
   }
 
   /// Reads both logs in every way. Returns whether one was refused.
-  bool refused() const {
+  [[nodiscard]] bool refused() const {
     try {
       LogFile first(a());
       LogFile second(b());
@@ -64,6 +65,7 @@ class Logs : public testing::Test {
     return false;
   }
 
+ private:
   ScratchFolder folder_;
 };
 
@@ -139,7 +141,7 @@ TEST_F(Logs, WhatIsNoLogIsRefused) {
 }
 
 TEST_F(Logs, OfAKilledProgramGoOnToItsLastPage) {
-  const std::string killed = folder_.path("killed.log");
+  const std::string killed = path("killed.log");
   EXPECT_EXIT(
       {
         const record::log log(killed);
@@ -157,7 +159,7 @@ TEST_F(Logs, OfAKilledProgramGoOnToItsLastPage) {
 }
 
 TEST_F(Logs, ThatCannotBeWrittenDoNotStopTheProgram) {
-  const record::log log(folder_.path("gone/x.log"));
+  const record::log log(path("gone/x.log"));
   EXPECT_FALSE(log.good());
   recorder_test::real x(1);
   for (int i = 0; i < 100000; ++i) x += 1;

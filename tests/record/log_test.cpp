@@ -24,7 +24,7 @@ using recorder_test::real;
 
 class Log : public testing::Test {
  protected:
-  std::string path(const char* name) const { return folder_.path(name); }
+  [[nodiscard]] std::string path(const char* name) const { return folder_.path(name); }
 
   static void add(int count) {
     real sum;

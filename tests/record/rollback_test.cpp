@@ -21,10 +21,10 @@ using recorder_test::real;
 
 class Rollbacks : public testing::Test {
  protected:
-  std::string a() const { return folder_.path("a.log"); }
-  std::string b() const { return folder_.path("b.log"); }
+  [[nodiscard]] std::string a() const { return folder_.path("a.log"); }
+  [[nodiscard]] std::string b() const { return folder_.path("b.log"); }
 
-  Comparison compare(bool swapped = false) const {
+  [[nodiscard]] Comparison compare(bool swapped = false) const {
     LogFile first(swapped ? b() : a());
     LogFile second(swapped ? a() : b());
     return desync::compare_last_frames(first, second);

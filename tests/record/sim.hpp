@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): switches recording on
 #define FIXPROOF_RECORD 1
 #include "record/recorded.hpp"
 
