@@ -7,13 +7,14 @@
 #include <limits>
 #include <type_traits>
 
+#include "fixed/detail/inlining.hpp"
 #include "fixed/policy.hpp"
 
 namespace fixproof::detail {
 
 /// Whether a Raw can hold the value. \pre Wide is signed and holds every Raw
 template <class Raw, class Wide>
-constexpr bool fits(Wide value) noexcept {
+FIXED_ALWAYS_INLINE constexpr bool fits(Wide value) noexcept {
   return !(value < Wide{(std::numeric_limits<Raw>::min)()}) &&
          !(Wide{(std::numeric_limits<Raw>::max)()} < value);
 }
@@ -21,7 +22,8 @@ constexpr bool fits(Wide value) noexcept {
 /// The value as a Raw by rule O. Under overflow::trap, calls `raise` for a value that does not fit;
 /// `raise` must throw.
 template <overflow O, class Raw, class Wide, class Raise>
-constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::trap) {
+FIXED_ALWAYS_INLINE constexpr Raw narrow(Wide value,
+                                         const Raise& raise) noexcept(O != overflow::trap) {
   if constexpr (O == overflow::saturate) {
     using limits = std::numeric_limits<Raw>;
 #if defined(__AVX2__)
