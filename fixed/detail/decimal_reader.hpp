@@ -187,6 +187,8 @@ FIXED_NOINLINE constexpr const char* read_any(const char* first, const char* las
 template <rounding R, int FractionBits, class Raw>
 constexpr const char* read_decimal(const char* first, const char* last,
                                    std::optional<Raw>& value) noexcept {
+  // A null pointer is a text, too: an empty one.
+  if (first == nullptr) return first;
   const char* const end = read_words<R, FractionBits>(first, last, value);
   return end != nullptr ? end : read_any<R, FractionBits>(first, last, value);
 }

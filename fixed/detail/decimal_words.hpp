@@ -27,6 +27,10 @@ inline constexpr auto powers_of_ten = [] {
   return powers;
 }();
 
+constexpr bool begins_with_digit(const char* at, const char* last) noexcept {
+  return at != last && is_digit(*at);
+}
+
 /// 10^i. \pre 0 <= i < 20
 constexpr std::uint64_t power_of_ten(std::int64_t i) noexcept {
   return powers_of_ten[static_cast<std::size_t>(i)];
@@ -182,7 +186,7 @@ FIXED_ALWAYS_INLINE constexpr const char* read_words(const char* first, const ch
   const auto whole_digits = at - whole;
   std::ptrdiff_t places = 0;
   std::uint64_t fraction = 0;
-  if (at != last && *at == '.' && (whole_digits != 0 || (last - at >= 2 && is_digit(at[1])))) {
+  if (at != last && *at == '.' && (whole_digits != 0 || begins_with_digit(at + 1, last))) {
     const char* const begin = ++at;
     at = read_long(at, last - at > 18 ? at + 18 : last, fraction);
     places = at - begin;

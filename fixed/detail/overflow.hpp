@@ -14,7 +14,7 @@ namespace fixproof::detail {
 
 /// Whether a Raw can hold the value. \pre Wide is signed and holds every Raw
 template <class Raw, class Wide>
-FIXED_ALWAYS_INLINE constexpr bool fits(Wide value) noexcept {
+constexpr bool fits(Wide value) noexcept {
   return !(value < Wide{(std::numeric_limits<Raw>::min)()}) &&
          !(Wide{(std::numeric_limits<Raw>::max)()} < value);
 }
