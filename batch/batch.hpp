@@ -44,13 +44,13 @@
 #include <type_traits>
 
 #include "batch/detail/element.hpp"
-#include "batch/detail/inlining.hpp"
 #include "batch/detail/portable.hpp"
 #include "batch/detail/report.hpp"
 #include "batch/detail/run.hpp"
 #include "batch/detail/spans.hpp"
 #include "batch/detail/targets.hpp"
 #include "batch/vertices.hpp"
+#include "fixed/detail/inlining.hpp"
 #include "fixed/detail/wide_sum.hpp"
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"

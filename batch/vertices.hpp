@@ -6,12 +6,12 @@
 #include <cstddef>
 
 #include "batch/detail/element.hpp"
-#include "batch/detail/inlining.hpp"
 #include "batch/detail/report.hpp"
 #include "batch/detail/run.hpp"
 #include "batch/detail/spans.hpp"
 #include "batch/detail/targets.hpp"
 #include "batch/detail/transforms.hpp"
+#include "fixed/detail/inlining.hpp"
 #include "fixed/number.hpp"
 
 namespace fixproof::detail {

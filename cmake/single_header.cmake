@@ -24,24 +24,27 @@ list(TRANSFORM standard_headers REPLACE ".+" "#include <\\0>\n" OUTPUT_VARIABLE 
 list(JOIN standard_includes "" standard_includes)
 list(JOIN standard_headers "|" standard_header)
 
-# read_header(HEADER RESULT): its text, without comments, the spaces that align line ends in macros, line ends after
-# ( and a comma, and what only a file of its own needs, indented by tabs. Lines that continue others begin far to the
-# right; three tabs are enough for them.
+# read_header(HEADER RESULT): its text, indented by tabs, without what only a file of its own needs, comments, and the
+# spaces that align line ends in macros. Without line ends after (, a comma, an operator or template <...>, and around
+# single statements. Lines that continue others begin far to the right; three tabs are enough for them.
 function(read_header header result)
   file(READ ${root}/${header} text)
+  string(REPLACE "}  // namespace fixproof::detail\n" "}@\n" text "${text}")
   string(REGEX REPLACE " *//[^\n]*" "" text "\n${text}")
   string(REGEX REPLACE "\n\n+" "\n" text "${text}")
   string(REGEX REPLACE " +\\\\\n" " \\\\\n" text "${text}")
   string(REGEX REPLACE "([(])\n +" "\\1" text "${text}")
-  string(REGEX REPLACE ",\n +" ", " text "${text}")
+  string(REGEX REPLACE "(,| [=+|&?:<])\n +" "\\1 " text "${text}")
+  string(REGEX REPLACE "{\n +([^\n#{}]+;)\n +}" "{ \\1 }" text "${text}")
   while(text MATCHES "\n\t*  ")
     string(REGEX REPLACE "(\n\t*)  " "\\1\t" text "${text}")
   endwhile()
   string(REGEX REPLACE "\n\t\t\t\t+ ?" "\n\t\t\t" text "${text}")
+  string(REGEX REPLACE "(\n\t+template <[^\n]+>)\n\t+" "\\1 " text "${text}")
   string(REPLACE "\n#pragma once\n" "\n" text "${text}")
   string(REGEX REPLACE "\n#include <(${standard_header})>" "" text "${text}")
   string(REGEX REPLACE "\n$" "" text "${text}")
-  set(${result} "\n// ${header}${text}" PARENT_SCOPE)
+  set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
 # expand(TEXT RESULT): the text with the headers that it includes and `done` does not have.
@@ -81,7 +84,7 @@ file(READ ${root}/LICENSE license)
 string(STRIP "${license}" license)
 string(REPLACE "\n" "\n// " license "// ${license}")
 string(REPLACE "// \n" "//\n" license "${license}")
-file(WRITE ${OUT} "\
+set(text "\
 // Fixproof ${fixed_version}: fixed-point numbers, header-only C++20.
 // Made of the headers in fixed/ and batch/, whose comments document everything; change those, not this file.
 // #define FIXED_BATCH before including this file to have the operations over spans, too. They need
@@ -108,4 +111,8 @@ ${targets}${batch}
 
 #endif  // FIXED_LANES
 ")
+# Namespaces that one header closes and the next opens. @ marks where one closes.
+string(REGEX REPLACE "}@\n+namespace fixproof::detail {\n" "" text "${text}")
+string(REPLACE "}@" "}" text "${text}")
+file(WRITE ${OUT} "${text}")
 message(STATUS "${OUT}: the library ${fixed_version} in one file")

@@ -15,6 +15,7 @@
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/exact.hpp"
 #include "fixed/detail/floating.hpp"
+#include "fixed/detail/inlining.hpp"
 #include "fixed/detail/instead.hpp"
 #include "fixed/detail/integer.hpp"
 #include "fixed/detail/overflow.hpp"
@@ -76,10 +77,10 @@ class number {
       P.quotient_range() != overflow::trap && P.fault == divide_fault::none;
 
   /// Zero.
-  constexpr number() noexcept = default;
+  FIXED_ALWAYS_INLINE constexpr number() noexcept = default;
 
   /// The number whose stored integer is `raw`: raw / 2^FractionBits.
-  [[nodiscard]] static constexpr number from_raw(raw_type raw) noexcept {
+  [[nodiscard]] FIXED_ALWAYS_INLINE static constexpr number from_raw(raw_type raw) noexcept {
     number result;
     result.raw_ = raw;
     return result;
@@ -433,8 +434,9 @@ class number {
   static constexpr raw_type highest = (std::numeric_limits<raw_type>::max)();
 
   template <overflow O, class Wide, class... Operands>
-  static constexpr number narrowed(const Wide& value, const char* operation,
-                                   Operands... operands) noexcept(O != overflow::trap) {
+  FIXED_ALWAYS_INLINE static constexpr number narrowed(
+      const Wide& value, const char* operation,
+      Operands... operands) noexcept(O != overflow::trap) {
     return from_raw(detail::narrow<O, raw_type>(
         value, [&] { detail::raise_overflow<FractionBits>(operation, operands.raw_...); }));
   }

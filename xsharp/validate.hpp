@@ -19,8 +19,8 @@
 
 namespace xsharp {
 
-inline constexpr std::size_t max_objects = 256;
-inline constexpr std::size_t max_faces_in_scene = 65536;
+inline constexpr std::size_t max_objects = 65536;
+inline constexpr std::size_t max_faces_in_scene = 524288;
 inline constexpr std::size_t max_spots = 16;
 inline constexpr std::int32_t longest_side = 4096;
 /// The projection uses half the width, a whole number.

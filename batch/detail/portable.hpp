@@ -6,9 +6,9 @@
 #include <cstddef>
 
 #include "batch/detail/element.hpp"
-#include "batch/detail/inlining.hpp"
 #include "batch/detail/report.hpp"
 #include "fixed/detail/divide.hpp"
+#include "fixed/detail/inlining.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/policy.hpp"
 

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "batch/detail/element.hpp"
-#include "batch/detail/inlining.hpp"
+#include "fixed/detail/inlining.hpp"
 #include "fixed/detail/raise.hpp"
 #include "fixed/error.hpp"
 #include "fixed/policy.hpp"

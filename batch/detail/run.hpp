@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <span>
 
-#include "batch/detail/inlining.hpp"
 #include "batch/detail/portable.hpp"
 #include "batch/detail/report.hpp"
 #include "batch/detail/spans.hpp"
 #include "batch/detail/targets.hpp"
+#include "fixed/detail/inlining.hpp"
 #include "fixed/policy.hpp"
 
 namespace fixproof::batch {

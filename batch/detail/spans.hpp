@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "batch/detail/inlining.hpp"
+#include "fixed/detail/inlining.hpp"
 #include "fixed/detail/instead.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/math.hpp"

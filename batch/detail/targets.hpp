@@ -11,11 +11,11 @@
 #include <type_traits>
 
 #include "batch/detail/element.hpp"
-#include "batch/detail/inlining.hpp"
 #include "batch/detail/report.hpp"
 #include "batch/detail/transforms.hpp"
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/hardware.hpp"
+#include "fixed/detail/inlining.hpp"
 #include "fixed/detail/quotient.hpp"
 #include "fixed/detail/radian.hpp"
 #include "fixed/detail/rounding.hpp"

@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "batch/detail/element.hpp"
-#include "batch/detail/inlining.hpp"
+#include "fixed/detail/inlining.hpp"
 #include "fixed/detail/quotient.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/storage.hpp"

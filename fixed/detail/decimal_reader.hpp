@@ -7,21 +7,23 @@
 #include <cstdint>
 #include <optional>
 
-#include "fixed/detail/decimal_rounding.hpp"
+#include "fixed/detail/decimal.hpp"
+#include "fixed/detail/decimal_words.hpp"
+#include "fixed/detail/inlining.hpp"
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/storage.hpp"
+#include "fixed/detail/wide_integer.hpp"
 #include "fixed/policy.hpp"
 
 namespace fixproof::detail {
 
-constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
-
-constexpr unsigned digit_of(char c) noexcept { return static_cast<unsigned>(c - '0'); }
-
 /// Reads `[sign]digits[e[sign]digits]` one character at a time, in constant memory, and rounds it
 /// once. A point may stand before, between or after the first digits.
 ///
-/// The reader keeps as many digits from the first that is not zero as decimal_parts can need, and
-/// whether any later digit is not zero. They decide every rounding, wherever the exponent moves the
-/// point.
+/// The reader keeps digits from the first that is not zero, and whether any later digit is not
+/// zero. A number in range has at most whole_digits before the point. A tie is an odd multiple of
+/// 2^-(FractionBits + 1) at the finest, so it has at most fraction_digits. Therefore these digits
+/// decide every rounding, wherever the exponent moves the point.
 template <class Raw, int FractionBits>
 class decimal_reader {
  public:
@@ -70,19 +72,37 @@ class decimal_reader {
     if (count_ == 0) return Raw{0};
     // The number is 0.ddd * 10^position, with the digits ddd kept; the first is not zero.
     const std::int64_t position = whole_ + (exponent_is_negative_ ? -exponent_ : exponent_);
-    if (position > parts_t::whole_digits) return std::nullopt;
-    // So many zeros leave only the sticky bit.
-    constexpr std::int64_t lowest = -parts_t::fraction_digits;
-    const auto places = static_cast<int>(position < lowest ? lowest : position);
-    parts_t parts;
-    parts.negative = negative_;
-    parts.more = more_;
-    parts.read = larger(-places, 0);
-    for (int i = 0; i < places; ++i) parts.add_whole(i < count_ ? digit_of(digits_[index(i)]) : 0);
-    for (int i = larger(places, 0); i < count_; ++i) {
-      parts.add_fraction(digit_of(digits_[index(i)]));
+    if (position > whole_digits) return std::nullopt;
+    // Holds 10^whole_digits * 2^FractionBits. The fraction has nine digits in each limb.
+    using wide = signed_t<larger(64, bits_of<Raw> + 6)>;
+    constexpr std::uint64_t one = power_of_ten(9);
+    wide magnitude{0};
+    std::array<std::uint64_t, index(fraction_digits / 9 + 1)> limbs{};
+    bool more = more_;
+    for (std::int64_t i = 0; i < position || i < count_; ++i) {
+      const unsigned digit = i < count_ ? digit_of(digits_[index(i)]) : 0;
+      const std::int64_t place = i - position;
+      if (place < 0) {
+        magnitude = magnitude * wide{10} + wide{digit};
+      } else if (place < fraction_digits) {
+        limbs[index(place / 9)] += digit * power_of_ten(8 - place % 9);
+      } else {
+        more = more || digit != 0;
+      }
     }
-    return parts.template rounded<R>();
+    // Moves up to 32 bits of the fraction to the magnitude at a time.
+    for (int bits = FractionBits; bits > 0; bits -= 32) {
+      const int step = bits < 32 ? bits : 32;
+      std::uint64_t carry = 0;
+      for (std::size_t i = limbs.size(); i-- > 0;) {
+        const std::uint64_t shifted = (limbs[i] << step) + carry;
+        limbs[i] = shifted % one;
+        carry = shifted / one;
+      }
+      magnitude = (magnitude << step) + static_cast<wide>(carry);
+    }
+    for (std::size_t i = 1; i < limbs.size(); ++i) more = more || limbs[i] != 0;
+    return rounded_text<R, Raw>(magnitude, limbs[0], one, more, negative_);
   }
 
  private:
@@ -98,9 +118,10 @@ class decimal_reader {
     exponent_sign,
     exponent
   };
-  using parts_t = decimal_parts<Raw, FractionBits>;
 
-  static constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
+  static constexpr std::size_t index(std::int64_t i) noexcept {
+    return static_cast<std::size_t>(i);
+  }
 
   constexpr void keep(char digit) noexcept {
     if (count_ < kept_digits) {
@@ -129,7 +150,9 @@ class decimal_reader {
     return true;
   }
 
-  static constexpr int kept_digits = parts_t::whole_digits + parts_t::fraction_digits;
+  static constexpr int whole_digits = decimal_digits(larger(bits_of<Raw> - FractionBits, 0)) + 1;
+  static constexpr int fraction_digits = FractionBits + 1;
+  static constexpr int kept_digits = whole_digits + fraction_digits;
   /// A larger exponent moves the point beyond the length of every text.
   static constexpr std::int64_t exponent_limit = 100'000'000'000'000'000;
 
@@ -147,31 +170,27 @@ class decimal_reader {
   std::int64_t exponent_ = 0;
 };
 
-/// Reads the longest number at the beginning of a text, rounded by rule R.
+/// Reads the longest number at the beginning of a text, rounded by rule R. \pre there is one
 /// \param value what decimal_reader::value() returns
-/// \return the end of the number; `first` if there is none
+/// \return the end of the number
+template <rounding R, int FractionBits, class Raw>
+FIXED_NOINLINE constexpr const char* read_any(const char* first, const char* last,
+                                              std::optional<Raw>& value) noexcept {
+  decimal_reader<Raw, FractionBits> reader;
+  const char* at = first;
+  for (; at != last && reader.take(*at);) ++at;
+  value = reader.template value<R>();
+  return at - reader.excess();
+}
+
+/// The same, by words if they suffice. \return `first` if there is no number
 template <rounding R, int FractionBits, class Raw>
 constexpr const char* read_decimal(const char* first, const char* last,
                                    std::optional<Raw>& value) noexcept {
-  // Without an exponent, no digit has to be kept.
-  decimal_parts<Raw, FractionBits> parts;
-  const char* at = first;
-  if (at != last && (*at == '-' || *at == '+')) parts.negative = *at++ == '-';
-  const char* const whole = at;
-  for (; at != last && is_digit(*at); ++at) parts.add_whole(digit_of(*at));
-  const bool has_whole = at != whole;
-  if (at != last && *at == '.' && (has_whole || (last - at >= 2 && is_digit(at[1])))) {
-    for (++at; at != last && is_digit(*at); ++at) parts.add_fraction(digit_of(*at));
-  }
-  if (at == whole) return first;
-  if (at == last || (*at != 'e' && *at != 'E')) {
-    value = parts.template rounded<R>();
-    return at;
-  }
-  decimal_reader<Raw, FractionBits> reader;
-  for (at = first; at != last && reader.take(*at);) ++at;
-  value = reader.template value<R>();
-  return at - reader.excess();
+  // A null pointer is a text, too: an empty one.
+  if (first == nullptr) return first;
+  const char* const end = read_words<R, FractionBits>(first, last, value);
+  return end != nullptr ? end : read_any<R, FractionBits>(first, last, value);
 }
 
 }  // namespace fixproof::detail

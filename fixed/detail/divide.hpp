@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "fixed/detail/inlining.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/quotient.hpp"
 #include "fixed/detail/rounding.hpp"
@@ -23,7 +24,7 @@ using divisor_t = signed_t<signed_bits<Raw>>;
 
 /// The part of the divisor that the policy uses.
 template <class Raw, int FractionBits, policy P>
-constexpr divisor_t<Raw> effective_divisor(Raw d) noexcept {
+FIXED_ALWAYS_INLINE constexpr divisor_t<Raw> effective_divisor(Raw d) noexcept {
   if constexpr (P.divisor == divisor_width::whole_part) {
     // Toward zero; the magnitude of the lowest value is unsigned.
     using wide = signed_t<signed_bits<Raw> + 1>;
@@ -73,7 +74,8 @@ using quotient_t = signed_t<larger(64, signed_bits<Raw> + numerator_shift<Fracti
 
 /// The rounded quotient. \param divisor the effective one, not zero
 template <class Raw, int FractionBits, policy P>
-constexpr quotient_t<Raw, FractionBits, P> quotient_of(Raw n, divisor_t<Raw> divisor) noexcept {
+FIXED_ALWAYS_INLINE constexpr quotient_t<Raw, FractionBits, P> quotient_of(
+    Raw n, divisor_t<Raw> divisor) noexcept {
   constexpr int shift = numerator_shift<FractionBits, P>;
   if constexpr (has_fast_quotient<Raw, FractionBits, P> && divides_in_double) {
     return rounded_quotient<P.divide, shift>(n, divisor);
@@ -87,7 +89,7 @@ constexpr quotient_t<Raw, FractionBits, P> quotient_of(Raw n, divisor_t<Raw> div
 
 /// n / d, wrapped or saturated, without error checks.
 template <class Raw, int FractionBits, policy P>
-constexpr Raw divide_unless_zero(Raw n, Raw d) noexcept {
+FIXED_ALWAYS_INLINE constexpr Raw divide_unless_zero(Raw n, Raw d) noexcept {
   const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, P>(d);
   if (divisor == divisor_t<Raw>{0}) return limit_toward_zero(n);
   constexpr overflow range =
@@ -119,7 +121,7 @@ constexpr Raw total_divide(Raw n, Raw d) noexcept {
 
 /// The same in the form of single quotients.
 template <class Raw, int FractionBits, policy P>
-constexpr Raw single_divide(Raw n, Raw d) noexcept {
+FIXED_ALWAYS_INLINE constexpr Raw single_divide(Raw n, Raw d) noexcept {
   if constexpr (divides_in_double) {
     return total_divide<Raw, FractionBits, P>(n, d);
   } else {

@@ -2,6 +2,7 @@
 /// Results of operations on stored integers before they are narrowed to the range.
 #pragma once
 
+#include "fixed/detail/inlining.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/detail/wide_integer.hpp"
@@ -14,17 +15,17 @@ template <class Raw>
 using sum_t = signed_t<signed_bits<Raw> + 1>;
 
 template <class Raw>
-constexpr sum_t<Raw> exact_sum(Raw a, Raw b) noexcept {
+FIXED_ALWAYS_INLINE constexpr sum_t<Raw> exact_sum(Raw a, Raw b) noexcept {
   return sum_t<Raw>{a} + sum_t<Raw>{b};
 }
 
 template <class Raw>
-constexpr sum_t<Raw> exact_difference(Raw a, Raw b) noexcept {
+FIXED_ALWAYS_INLINE constexpr sum_t<Raw> exact_difference(Raw a, Raw b) noexcept {
   return sum_t<Raw>{a} - sum_t<Raw>{b};
 }
 
 template <class Raw>
-constexpr sum_t<Raw> exact_negative(Raw a) noexcept {
+FIXED_ALWAYS_INLINE constexpr sum_t<Raw> exact_negative(Raw a) noexcept {
   return -sum_t<Raw>{a};
 }
 
@@ -35,7 +36,7 @@ constexpr sum_t<Raw> exact_magnitude(Raw a) noexcept {
 
 /// a * b rounded by rule R to an integer number of ulps.
 template <int FractionBits, rounding R, class Raw>
-constexpr product_t<Raw> rounded_product(Raw a, Raw b) noexcept {
+FIXED_ALWAYS_INLINE constexpr product_t<Raw> rounded_product(Raw a, Raw b) noexcept {
   using wide = product_t<Raw>;
   return shift_right<R>(wide{a} * wide{b}, FractionBits);
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "fixed/detail/inlining.hpp"
 #include "fixed/policy.hpp"
 
 namespace fixproof::detail {
@@ -21,7 +22,8 @@ constexpr bool fits(Wide value) noexcept {
 /// The value as a Raw by rule O. Under overflow::trap, calls `raise` for a value that does not fit;
 /// `raise` must throw.
 template <overflow O, class Raw, class Wide, class Raise>
-constexpr Raw narrow(Wide value, const Raise& raise) noexcept(O != overflow::trap) {
+FIXED_ALWAYS_INLINE constexpr Raw narrow(Wide value,
+                                         const Raise& raise) noexcept(O != overflow::trap) {
   if constexpr (O == overflow::saturate) {
     using limits = std::numeric_limits<Raw>;
 #if defined(__AVX2__)

@@ -8,12 +8,13 @@
 
 #include "fixed/detail/bit_cast.hpp"
 #include "fixed/detail/hardware.hpp"
+#include "fixed/detail/inlining.hpp"
 #include "fixed/detail/rounding.hpp"
 
 namespace fixproof::detail {
 
 /// 1 for a negative integer and 0 for any other.
-constexpr std::int64_t one_if_negative(std::int32_t x) noexcept {
+FIXED_ALWAYS_INLINE constexpr std::int64_t one_if_negative(std::int32_t x) noexcept {
   return static_cast<std::int64_t>(static_cast<std::uint32_t>(x) >> 31);
 }
 
@@ -32,7 +33,8 @@ constexpr std::int64_t one_if_negative(std::int32_t x) noexcept {
 ///
 /// \pre divisor is not zero, Shift <= 30
 template <rounding R, int Shift>
-constexpr std::int64_t quotient_by_integers(std::int32_t numerator, std::int32_t divisor) noexcept {
+FIXED_ALWAYS_INLINE constexpr std::int64_t quotient_by_integers(std::int32_t numerator,
+                                                                std::int32_t divisor) noexcept {
   const std::int64_t below = one_if_negative(numerator);
   const std::int64_t divisor_below = one_if_negative(divisor);
   if constexpr (R == rounding::half_up || R == rounding::half_away) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "fixed/detail/inlining.hpp"
 #include "fixed/detail/wide_integer.hpp"
 #include "fixed/policy.hpp"
 
@@ -26,7 +27,7 @@ constexpr bool is_odd(const Int& x) noexcept {
 /// \param odd      whether the floor of value / unit is odd; only half_even uses it
 /// \param unit     even and positive, so that a half is a whole number of parts
 template <rounding R, class Int>
-constexpr Int bias(bool negative, bool odd, Int unit) noexcept {
+FIXED_ALWAYS_INLINE constexpr Int bias(bool negative, bool odd, Int unit) noexcept {
   if constexpr (R == rounding::half_up) {
     return unit >> 1;
   } else if constexpr (R == rounding::half_away) {
@@ -43,7 +44,7 @@ constexpr Int bias(bool negative, bool odd, Int unit) noexcept {
 
 /// value / 2^bits, rounded by rule R. \pre Int is signed, and value + 2^bits does not overflow
 template <rounding R, class Int>
-constexpr Int shift_right(Int value, int bits) noexcept {
+FIXED_ALWAYS_INLINE constexpr Int shift_right(Int value, int bits) noexcept {
   if (bits == 0) return value;
   const bool odd = R == rounding::half_even && is_odd(value >> bits);
   return (value + bias<R>(value < Int{0}, odd, Int{1} << bits)) >> bits;

@@ -160,6 +160,15 @@ TEST(TextEnds, RangeIsAfterRounding) {
          0x10000);
 }
 
+TEST(TextEnds, NoTextIsNoNumber) {
+  const char* const nothing = nullptr;
+  q16_16 value = q16_16::from_raw(77);
+  const auto result = from_chars(nothing, nothing, value);
+  EXPECT_EQ(result.ec, std::errc::invalid_argument);
+  EXPECT_EQ(result.ptr, nothing);
+  EXPECT_EQ(value.raw(), 77);
+}
+
 TEST(TextEnds, PrefixAndNothing) {
   const auto expect = [](std::string text, std::errc error, int taken, std::int32_t raw) {
     q16_16 value = q16_16::from_raw(77);

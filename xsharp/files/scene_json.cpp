@@ -352,7 +352,7 @@ Scene parse_scene(std::string_view text, const std::string& name,
 
 Scene read_scene(const std::filesystem::path& file) {
   try {
-    const std::string text = fixproof::support::read_bounded(file.string(), std::size_t{1} << 20U);
+    const std::string text = fixproof::support::read_bounded(file.string(), std::size_t{16} << 20U);
     Scene read =
         parse_scene(text, file.stem().string(), file.has_parent_path() ? file.parent_path() : ".");
     read.files.push_back(file.string());

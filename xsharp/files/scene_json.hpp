@@ -11,7 +11,7 @@
 
 namespace xsharp {
 
-/// Reads a scene that validate() accepts, from a file of up to 1 MiB. A scene without a name gets
+/// Reads a scene that validate() accepts, from a file of up to 16 MiB. A scene without a name gets
 /// that of the file.
 /// @throws SceneError with the file and the position in it, also if the file cannot be read
 Scene read_scene(const std::filesystem::path& file);

@@ -144,8 +144,14 @@ std::string first_wrong(const Decimal& decimal) {
   const std::string digits = decimal.digits.str();
   const auto size = static_cast<int>(digits.size());
   const std::string zeros(300, '0');
+  // Without an exponent.
+  const int places = (std::max)(-decimal.exponent, 0);
+  const auto missing = static_cast<std::size_t>((std::max)(places + 1 - size, 0));
+  const std::string padded = std::string(missing, '0') + digits +
+                             zeros.substr(0, static_cast<std::size_t>(decimal.exponent + places));
   const auto power_text = [](int exponent) { return "e" + std::to_string(exponent); };
   for (const std::string& text : {
+           with_point(padded, places),
            digits + power_text(decimal.exponent),
            digits + zeros + power_text(decimal.exponent - 300),
            zeros + digits + "." + zeros + power_text(decimal.exponent),

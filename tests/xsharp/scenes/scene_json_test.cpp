@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "fixed/fixed.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 #include "tests/xsharp/scenes/refusal.hpp"
+#include "xsharp/animation.hpp"
 
 namespace {
 
@@ -358,9 +360,31 @@ TEST(SceneJson, ASmallTextMakesNoHugeScene) {
     return said_of_scene(R"({"defaults": {"paint": 1, "shape": )" + shape + "}, \"objects\": [" +
                          objects + "]}");
   };
-  EXPECT_EQ(many(R"({"cube": {"half_edge": 1}})"), "scene 's': 257 objects, more than 256");
+  EXPECT_EQ(many(R"({"cube": {"half_edge": 1}})"), "scene 's': 65537 objects, more than 65536");
   EXPECT_EQ(many(R"({"ball": {"radius": 99, "bands": 45}})"),
-            "scene 's': 68850 faces, more than 65536");
+            "scene 's': 526500 faces, more than 524288");
+}
+
+TEST(SceneJson, DrawsEachOfManyObjects) {
+  // 150 columns and 134 rows of cubes in view, none before another.
+  constexpr std::size_t count = 20'000;
+  std::string objects;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto column = static_cast<int>(i % 150);
+    const auto row = static_cast<int>(i / 150);
+    objects += (i == 0 ? "" : ",") + std::string(R"({"position": [)") +
+               std::to_string(6 * column - 447) + "," + std::to_string(6 * row - 399) + ",-2000]}";
+  }
+  const Scene scene = parse_scene(
+      R"({"width": 4096, "height": 4096, "defaults": {"paint": 1, "shape": {"cube": {"half_edge": 1}}}, "objects": [)" +
+          objects + "]}",
+      "many", root);
+  Animation<fixproof::q16_16_i386> animation(scene);
+  Picture picture;
+  animation.draw(picture);
+  std::vector<bool> drawn(count);
+  for (const Polygon& polygon : picture.polygons) drawn.at(polygon.object) = true;
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(drawn, true)), count);
 }
 
 TEST(SceneJson, NamesTheFile) {
@@ -369,8 +393,9 @@ TEST(SceneJson, NamesTheFile) {
   std::ofstream(file) << R"({"objects": [], "projection_ratio": 0})";
   EXPECT_EQ(xsharp_test::refusal([&] { read_scene(file); }),
             file.string() + ": scene 's': projection_ratio is 0, must be from -1000 to -0.01");
-  std::ofstream(file) << std::string((1U << 20U) + 1, ' ');
-  EXPECT_EQ(xsharp_test::refusal([&] { read_scene(file); }), file.string() + ": longer than 1 MiB");
+  std::ofstream(file) << std::string((1U << 24U) + 1, ' ');
+  EXPECT_EQ(xsharp_test::refusal([&] { read_scene(file); }),
+            file.string() + ": longer than 16 MiB");
 }
 
 TEST(SceneJson, OutlivesAnyBytes) {

@@ -111,12 +111,12 @@ const std::vector<BadScene>& bad_settings() {
        [](Scene& s) { s.lights.spots[0].direction[2] = nan; }},
       {"spot 1: intensity is 101, must be from 0 to 100",
        [](Scene& s) { s.lights.spots[1].intensity[2] = 101; }},
-      {"257 objects, more than 256", [](Scene& s) { s.objects.resize(257, s.objects[0]); }},
-      {"65548 faces, more than 65536",
+      {"65537 objects, more than 65536", [](Scene& s) { s.objects.resize(65537, s.objects[0]); }},
+      {"524300 faces, more than 524288",
        [](Scene& s) {
-         for (int i = 0; i < 16; ++i) {
+         for (int i = 0; i < 128; ++i) {
            s.objects.push_back(s.objects[0]);
-           s.objects.back().mesh.faces.resize(i < 15 ? 4096 : 4030);
+           s.objects.back().mesh.faces.resize(i < 127 ? 4096 : 4030);
          }
        }},
   };
