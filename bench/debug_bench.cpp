@@ -59,7 +59,7 @@ void run(const std::vector<Plain>& xs, const std::vector<Plain>& ys, std::vector
     if constexpr (operation == Operation::multiply) {
       z[i].raw = static_cast<std::int32_t>((Wide{x[i].raw} * y[i].raw + 0x8000) >> 16);
     } else if constexpr (operation == Operation::divide) {
-      // floor(2 x / y + 1) / 2, rounded down
+      // (floor(2^17 x / y) + 1) / 2, rounded down: the quotient to nearest, ties up
       const Wide twice = Wide{x[i].raw} * 0x20000;
       const bool between = twice % y[i].raw != 0 && (x[i].raw < 0) != (y[i].raw < 0);
       z[i].raw = static_cast<std::int32_t>((twice / y[i].raw - (between ? 1 : 0) + 1) >> 1);

@@ -76,7 +76,7 @@ int main() {
   using fixproof::q16_16_i8088;
   bool right = time_routine<Routine::mul, Target::i8088, q16_16_i8088>("FixedMul, 8088", in);
   right = time_routine<Routine::mul, Target::i386, q16_16_i386>("FixedMul, 386", in) && right;
-  // No quotient faults: a divisor has at least twice the size of the dividend.
+  // No quotient faults: every dividend is below 2^24, and no divisor is.
   for (std::size_t i = 0; i < count; ++i) {
     in[2 * i] >>= 8;
     in[2 * i + 1] = (in[2 * i + 1] >> 1) | 0x01000000;

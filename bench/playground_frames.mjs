@@ -1,7 +1,6 @@
 // usage: node playground_frames.mjs fixproof.wasm
-// Times what the playground computes for one frame of each scene: moves, pictures in an arithmetic and in double, and
-// the pixels that differ. The least mean of 5 runs of 60 frames, in milliseconds. A screen with 60 frames per second
-// leaves 16.7 ms for this and for showing the pictures.
+// Times what the playground computes for one frame of each scene: it moves the objects, draws them in an arithmetic and
+// in double, and marks the pixels that differ. Each figure is the least mean of 5 runs of 60 frames, in milliseconds.
 import { readFileSync } from "node:fs";
 import { loadModule } from "../web/page/wasm.mjs";
 

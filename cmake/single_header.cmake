@@ -24,9 +24,10 @@ list(TRANSFORM standard_headers REPLACE ".+" "#include <\\0>\n" OUTPUT_VARIABLE 
 list(JOIN standard_includes "" standard_includes)
 list(JOIN standard_headers "|" standard_header)
 
-# read_header(HEADER RESULT): its text, indented by tabs, without what only a file of its own needs, comments, and the
-# spaces that align line ends in macros. Without line ends after (, a comma, an operator or template <...>, and around
-# single statements. Lines that continue others begin far to the right; three tabs are enough for them.
+# read_header(HEADER RESULT): its text, indented by tabs. It drops comments, what only a file of its own needs, and the
+# spaces that align line ends in macros. It joins a line that ends with (, a comma, an operator or template <...> with
+# the next, and puts a block of one statement on one line. Lines that continue others begin far to the right; three tabs
+# are enough for them.
 function(read_header header result)
   file(READ ${root}/${header} text)
   string(REPLACE "}  // namespace fixproof::detail\n" "}@\n" text "${text}")
@@ -111,7 +112,7 @@ ${targets}${batch}
 
 #endif  // FIXED_LANES
 ")
-# Namespaces that one header closes and the next opens. @ marks where one closes.
+# Joins namespaces that one header closes and the next opens again. @ marks where a header closes one.
 string(REGEX REPLACE "}@\n+namespace fixproof::detail {\n" "" text "${text}")
 string(REPLACE "}@" "}" text "${text}")
 file(WRITE ${OUT} "${text}")

@@ -178,7 +178,7 @@ std::map<std::int64_t, Simulation> last_simulations(LogFile& log) {
 struct CommonBlocks {
   word count = 0;
   word operations = 0;            ///< of A
-  std::optional<word> different;  ///< the first one from which on they differ
+  std::optional<word> different;  ///< the first one after which the sums of hashes stay different
 };
 
 CommonBlocks compare_common_blocks(LogFile& a, const Simulation& in_a, LogFile& b,
@@ -202,7 +202,8 @@ CommonBlocks compare_common_blocks(LogFile& a, const Simulation& in_a, LogFile& 
   return common;
 }
 
-/// Tells whether one side has more blocks in a frame than the other, whose log does not end there.
+/// Tells whether one side has more blocks in a frame. A side whose log ends in the frame may have
+/// lost blocks, so the other is not longer.
 bool is_longer(const LogFile& a, const Simulation& in_a, const LogFile& b, const Simulation& in_b) {
   const word blocks_a = in_a.end - in_a.first;
   const word blocks_b = in_b.end - in_b.first;

@@ -31,7 +31,7 @@ bool end_call(int /*signal*/, void* context) {
   if (call == nullptr || static_cast<std::uint16_t>(selectors) != call->code_selector) {
     return false;
   }
-  // SIGFPE would not do: it is also that of the exceptions of x87 and SSE.
+  // SIGFPE does not tell: exceptions of the x87 and of SSE raise it, too.
   constexpr greg_t divide_error = 0;
   running.ending =
       registers[REG_TRAPNO] == divide_error ? CallEnding::divide_error : CallEnding::fault;

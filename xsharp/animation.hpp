@@ -49,10 +49,14 @@ class Animation final : public Player {
     const RotationStyle style{scene.trigonometry, scene.conversion, scene.from_scratch,
                               scene.restore_every, scene.restore_rows};
     for (const ObjectDescription& object : scene.objects) {
-      add(std::make_unique<Polyhedron<N>>(object, static_cast<std::uint32_t>(objects_.size()),
-                                          style));
+      objects_.push_back(std::make_unique<Polyhedron<N>>(
+          object, static_cast<std::uint32_t>(objects_.size()), style));
       shades_pixels_ = shades_pixels_ || object.surface.kind == SurfaceKind::phong;
     }
+    // As add() would leave it, which takes a time that grows with the square of the objects.
+    order_.resize(objects_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    if (last_goes_first()) std::ranges::reverse(order_);
   }
 
   /// Adds an object of any kind. Unsorted objects are drawn in the order in which they were added.
@@ -61,8 +65,7 @@ class Animation final : public Player {
   /// order in which they were added (listing 53.2). Under a depth buffer the list is drawn from its
   /// other end.
   void add(std::unique_ptr<Object<N>> object) {
-    const bool goes_first = key_ != DepthKey::none && !front_to_back_;
-    order_.insert(goes_first ? order_.begin() : order_.end(), objects_.size());
+    order_.insert(last_goes_first() ? order_.begin() : order_.end(), objects_.size());
     objects_.push_back(std::move(object));
   }
 
@@ -115,6 +118,9 @@ class Animation final : public Player {
   }
 
  private:
+  /// Whether add() puts the new object before all others.
+  [[nodiscard]] bool last_goes_first() const { return key_ != DepthKey::none && !front_to_back_; }
+
   void draw_in_order(Picture& picture) {
     parts_.resize(pool_.workers());
     pool_.run([&](std::size_t worker) {

@@ -21,6 +21,8 @@ namespace xsharp {
 
 inline constexpr std::size_t max_objects = 65536;
 inline constexpr std::size_t max_faces_in_scene = 524288;
+/// More than those of max_objects cubes whose faces all have normals.
+inline constexpr std::size_t max_vertices_in_scene = 2097152;
 inline constexpr std::size_t max_spots = 16;
 inline constexpr std::int32_t longest_side = 4096;
 /// The projection uses half the width, a whole number.
@@ -258,9 +260,16 @@ inline void validate(const Scene& scene) {
       throw SceneError(detail::text_of(scene.objects.size(), " objects, more than ", max_objects));
     }
     std::size_t faces = 0;
-    for (const ObjectDescription& object : scene.objects) faces += object.mesh.faces.size();
+    std::size_t vertices = 0;
+    for (const ObjectDescription& object : scene.objects) {
+      faces += object.mesh.faces.size();
+      vertices += object.mesh.vertices.size();
+    }
     if (faces > max_faces_in_scene) {
       throw SceneError(detail::text_of(faces, " faces, more than ", max_faces_in_scene));
+    }
+    if (vertices > max_vertices_in_scene) {
+      throw SceneError(detail::text_of(vertices, " vertices, more than ", max_vertices_in_scene));
     }
     for (const ObjectDescription& object : scene.objects) {
       place = "scene '" + scene.name + "': object '" + object.name + "': ";

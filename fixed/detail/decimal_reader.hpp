@@ -21,9 +21,9 @@ namespace fixproof::detail {
 /// once. A point may stand before, between or after the first digits.
 ///
 /// The reader keeps digits from the first that is not zero, and whether any later digit is not
-/// zero. A number in range has at most whole_digits before the point. A tie is an odd multiple of
-/// 2^-(FractionBits + 1) at the finest, so it has at most fraction_digits. Therefore these digits
-/// decide every rounding, wherever the exponent moves the point.
+/// zero. A number in range has at most whole_digits digits before the point. A tie is a multiple of
+/// 2^-(FractionBits + 1), so it has at most fraction_digits digits after the point. As many digits
+/// as both together decide every rounding, wherever the exponent moves the point.
 template <class Raw, int FractionBits>
 class decimal_reader {
  public:
@@ -170,15 +170,14 @@ class decimal_reader {
   std::int64_t exponent_ = 0;
 };
 
-/// Reads the longest number at the beginning of a text, rounded by rule R. \pre there is one
-/// \param value what decimal_reader::value() returns
-/// \return the end of the number
+/// Reads the longest number at the beginning of a text, rounded by rule R. \pre the text begins
+/// with one \param value what decimal_reader::value() returns \return the end of the number
 template <rounding R, int FractionBits, class Raw>
 FIXED_NOINLINE constexpr const char* read_any(const char* first, const char* last,
                                               std::optional<Raw>& value) noexcept {
   decimal_reader<Raw, FractionBits> reader;
   const char* at = first;
-  for (; at != last && reader.take(*at);) ++at;
+  while (at != last && reader.take(*at)) ++at;
   value = reader.template value<R>();
   return at - reader.excess();
 }

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <type_traits>
 
@@ -21,15 +22,17 @@ constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
 constexpr unsigned digit_of(char c) noexcept { return static_cast<unsigned>(c - '0'); }
 
+/// Whether a text is not empty and begins with a digit.
+constexpr bool begins_with_digit(const char* at, const char* last) noexcept {
+  return at != last && is_digit(*at);
+}
+
+/// 10^0 to 10^19, all that fit a word.
 inline constexpr auto powers_of_ten = [] {
   std::array<std::uint64_t, 20> powers{1};
   for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
   return powers;
 }();
-
-constexpr bool begins_with_digit(const char* at, const char* last) noexcept {
-  return at != last && is_digit(*at);
-}
 
 /// 10^i. \pre 0 <= i < 20
 constexpr std::uint64_t power_of_ten(std::int64_t i) noexcept {
@@ -41,7 +44,7 @@ constexpr std::uint64_t power_of_ten(std::int64_t i) noexcept {
 constexpr std::uint64_t eight_digits(const char* at) noexcept {
   std::uint64_t chars = 0;
   if (std::endian::native == std::endian::little && !std::is_constant_evaluated()) {
-    __builtin_memcpy(&chars, at, 8);
+    std::memcpy(&chars, at, sizeof chars);
   } else {
     for (int i = 8; i-- > 0;) chars = chars << 8 | static_cast<unsigned char>(at[i]);
   }
@@ -110,7 +113,7 @@ struct decimal_words {
 };
 
 /// Rounds by rule R.
-/// \param value the number, or nothing if it is out of range
+/// \param value empty before; the number, or nothing if it is out of range
 /// \return whether the digits decide the rounding. From 60 fraction bits on, they rarely do.
 template <rounding R, int FractionBits, class Raw>
 constexpr bool round_words(const decimal_words& text, bool negative,
@@ -125,7 +128,8 @@ constexpr bool round_words(const decimal_words& text, bool negative,
   steps += one_more ? 1 : 0;
   rest -= one_more ? one : 0;
   if constexpr (FractionBits > 17) {
-    // 10^18 is no multiple of the distance of ties, so one can lie within the digits not read.
+    // A tie has FractionBits + 1 digits after the point. From 18 fraction bits on, they are more
+    // than the 18 of the fraction, so digits beyond those can decide.
     const std::uint64_t end = rest + (std::uint64_t{1} << FractionBits);
     if (text.more && (end > one || (rest < one / 2 && end > one / 2))) return false;
   }
@@ -172,7 +176,7 @@ constexpr const char* read_exponent(const char* mark, const char* last, bool neg
 }
 
 /// Reads the longest number at the beginning of a text, rounded by rule R.
-/// \param value the number, or nothing if it is out of range
+/// \param value empty before; the number, or nothing if it is out of range
 /// \return the end of the number, `first` if there is none, or nullptr if words do not suffice
 template <rounding R, int FractionBits, class Raw>
 FIXED_ALWAYS_INLINE constexpr const char* read_words(const char* first, const char* last,

@@ -235,6 +235,15 @@ TEST(Judge, ARoutineMaySwitchAlignmentChecksOn) {
          {" on this processor ", "AGREES on 5,000 cases"});
 }
 
+TEST(Judge, AnUnalignedAccessUnderAlignmentChecksIsAFault) {
+  const ScratchFolder folder;
+  const std::string source =
+      "imul ebx\nshrd eax, edx, 16\npushfd\nor dword [esp], 0x40000\npopfd\nmov ecx, [esp-3]\n"
+      "ret\n";
+  expect(judge(folder.write("unaligned.asm", source), in_registers + "|--cases|5000"), 0,
+         {"(it faults on this processor, but not on Unicorn)"});
+}
+
 TEST(Judge, AProductOverADivisor) {
   expect(
       judge(routine("muldiv"), "--bits|32|--frame|eax, ebx, ecx -> eax|--as|muldiv|--cases|100000"),

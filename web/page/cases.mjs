@@ -17,7 +17,10 @@ const cases = [
   },
   {
     name: "Cubes one unit too far away", finding: 18,
-    state: { view: "scenes", scene: "lost_carry", arithmetic: "i8088-on", against: "i8088-on-repaired", play: "no", frame: "0" },
+    state: {
+      view: "scenes", scene: "lost_carry", arithmetic: "i8088-on", against: "i8088-on-repaired", play: "no",
+      frame: "0",
+    },
     says: `The viewer stands at a position with a fraction, so the lost carry shifts whole cubes. On the right is every
       pixel that the repaired routine draws differently. Play the scene, and switch to the repaired arithmetic while it
       runs.`,

@@ -324,6 +324,7 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
        {"defaults", [&](const JsonNode& value) { read_draft(value, files, defaults); }},
        {"objects", [&](const JsonNode& value) {
           std::size_t faces = 0;
+          std::size_t vertices = 0;
           for (const JsonNode& element : value.list()) {
             Draft draft = defaults;
             draft.object.name = "object " + std::to_string(objects.size());
@@ -331,8 +332,14 @@ Scene scene(const JsonNode& node, const std::filesystem::path& folder) {
             objects.push_back(finished(element, std::move(draft)));
             // validate() checks this too, but a small text can make a scene that does not fit in
             // memory.
-            faces += objects.back().mesh.faces.size();
-            if (objects.size() > max_objects || faces > max_faces_in_scene) break;
+            const ObjectDescription& last = objects.back();
+            faces += last.mesh.faces.size();
+            vertices += last.mesh.vertices.size();
+            if (objects.size() > max_objects || faces > max_faces_in_scene ||
+                vertices > max_vertices_in_scene || last.paints.size() != last.mesh.faces.size() ||
+                last.shadings.size() > last.mesh.faces.size()) {
+              break;
+            }
           }
         }}});
   for (const auto& [file, mesh] : files.read) read.files.push_back((files.folder / file).string());

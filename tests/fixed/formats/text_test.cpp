@@ -1,5 +1,5 @@
 /// Tests the text of numbers of every format against integers of 1,024 bits: digits after the
-/// point, scientific, hexadecimal and binary output, and scientific input.
+/// point, scientific, hexadecimal and binary output, and input with and without an exponent.
 #include <iomanip>
 
 #include "fixed/fixed.hpp"
@@ -85,9 +85,18 @@ std::string streamed(N x, std::ios_base& (*form)(std::ios_base&), int precision)
   return out.str();
 }
 
+template <class... More, class... T>
+testing::Types<T..., More...> with(testing::Types<T...> formats);
+
+/// The reader of text changes its method at 18 and at 60 fraction bits.
+using TextFormats =
+    decltype(with<fixproof::number<std::int32_t, 17>, fixproof::number<std::int32_t, 18>,
+                  fixproof::number<std::int64_t, 59, formats::even_saturate>,
+                  fixproof::number<std::uint64_t, 60>>(formats::wide()));
+
 template <class N>
 class FormatText : public testing::Test {};
-TYPED_TEST_SUITE(FormatText, formats::wide);
+TYPED_TEST_SUITE(FormatText, TextFormats);
 
 TYPED_TEST(FormatText, RoundsToAnyPrecision) {
   for (const TypeParam x : reference::operands<TypeParam>(10)) {

@@ -363,6 +363,19 @@ TEST(SceneJson, ASmallTextMakesNoHugeScene) {
   EXPECT_EQ(many(R"({"cube": {"half_edge": 1}})"), "scene 's': 65537 objects, more than 65536");
   EXPECT_EQ(many(R"({"ball": {"radius": 99, "bands": 45}})"),
             "scene 's': 526500 faces, more than 524288");
+  // Vertices of no face, and shadings of no face.
+  const ScratchFolder folder;
+  std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (int i = 3; i < 8192; ++i) mesh += "v 0 0 0\n";
+  std::ofstream(folder.path("many.obj")) << mesh;
+  const std::string text =
+      R"({"defaults": {"paint": 1, "shape": {"obj": "many.obj"}}, "objects": [)" + objects + "]}";
+  EXPECT_EQ(xsharp_test::refusal([&] { parse_scene(text, "s", folder.path()); }),
+            "scene 's': 2105344 vertices, more than 2097152");
+  std::string shadings = "{}";
+  for (int i = 1; i < 1000; ++i) shadings += ",{}";
+  EXPECT_EQ(many(R"({"cube": {"half_edge": 1}}, "shadings": [)" + shadings + "]"),
+            "scene 's': object 'object 0': 1000 shadings for 6 faces");
 }
 
 TEST(SceneJson, DrawsEachOfManyObjects) {
@@ -375,10 +388,11 @@ TEST(SceneJson, DrawsEachOfManyObjects) {
     objects += (i == 0 ? "" : ",") + std::string(R"({"position": [)") +
                std::to_string(6 * column - 447) + "," + std::to_string(6 * row - 399) + ",-2000]}";
   }
-  const Scene scene = parse_scene(
-      R"({"width": 4096, "height": 4096, "defaults": {"paint": 1, "shape": {"cube": {"half_edge": 1}}}, "objects": [)" +
-          objects + "]}",
-      "many", root);
+  const Scene scene =
+      parse_scene(R"({"width": 4096, "height": 4096, )"
+                  R"("defaults": {"paint": 1, "shape": {"cube": {"half_edge": 1}}}, "objects": [)" +
+                      objects + "]}",
+                  "many", root);
   Animation<fixproof::q16_16_i386> animation(scene);
   Picture picture;
   animation.draw(picture);
