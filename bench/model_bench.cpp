@@ -71,7 +71,7 @@ bool time_routine(const char* name, const Words& in) {
 int main() {
   std::mt19937 random(54);
   Words in(2 * count);
-  for (std::uint32_t& word : in) word = random();
+  for (std::uint32_t& word : in) word = static_cast<std::uint32_t>(random());
   using fixproof::q16_16_i386;
   using fixproof::q16_16_i8088;
   bool right = time_routine<Routine::mul, Target::i8088, q16_16_i8088>("FixedMul, 8088", in);

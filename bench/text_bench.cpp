@@ -49,29 +49,30 @@ bool are_right(const Texts& texts) {
   return true;
 }
 
-std::string printed(const char* format, int precision, double x) {
+std::string printed(std::chars_format form, int precision, double x) {
   std::string text(400, '\0');
-  text.resize(
-      static_cast<std::size_t>(std::snprintf(text.data(), text.size(), format, precision, x)));
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), x, form, precision).ptr;
+  text.resize(static_cast<std::size_t>(end - text.data()));
   return text;
 }
 
 /// Texts of numbers of all signs and sizes below `end`.
-Texts texts_of(const char* format, int precision, double end) {
+Texts texts_of(std::chars_format form, int precision, double end) {
   std::mt19937_64 random(54);
   Texts texts;
   while (texts.size() < count) {
     const double share = std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), -63);
-    texts.push_back(printed(format, precision, share * end));
+    texts.push_back(printed(form, precision, share * end));
   }
   return texts;
 }
 
 /// The same with random digits, more than a double has, and an end.
 Texts long_texts(std::size_t digits, const std::string& end = "") {
-  Texts texts = texts_of("%.*f.", 0, 32000);
+  Texts texts = texts_of(std::chars_format::fixed, 0, 32000);
   std::mt19937 random(55);
   for (std::string& text : texts) {
+    text += '.';
     for (std::size_t i = 0; i < digits; ++i) text += static_cast<char>('0' + random() % 10);
     text += end;
   }
@@ -98,15 +99,15 @@ bool time_kind(const char* name, const Texts& texts) {
 
 int main() {
   std::printf("%-16s %-16s double q16_16 ratio q32_32 ratio\n", "ns per number", "such as");
-  bool right = time_kind("integers", texts_of("%.*f", 0, 32000));
-  right = time_kind("1 digit", texts_of("%.*f", 1, 100)) && right;
-  right = time_kind("3 digits", texts_of("%.*f", 3, 32000)) && right;
-  right = time_kind("6 digits", texts_of("%.*f", 6, 32000)) && right;
-  right = time_kind("below 1", texts_of("%.*f", 7, 1)) && right;
-  right = time_kind("9 digits", texts_of("%.*f", 9, 32000)) && right;
-  right = time_kind("exact", texts_of("%.*f", 16, 32000)) && right;
-  right = time_kind("exponents", texts_of("%.*e", 5, 32000)) && right;
-  right = time_kind("long exponents", texts_of("%.*e", 16, 32000)) && right;
+  bool right = time_kind("integers", texts_of(std::chars_format::fixed, 0, 32000));
+  right = time_kind("1 digit", texts_of(std::chars_format::fixed, 1, 100)) && right;
+  right = time_kind("3 digits", texts_of(std::chars_format::fixed, 3, 32000)) && right;
+  right = time_kind("6 digits", texts_of(std::chars_format::fixed, 6, 32000)) && right;
+  right = time_kind("below 1", texts_of(std::chars_format::fixed, 7, 1)) && right;
+  right = time_kind("9 digits", texts_of(std::chars_format::fixed, 9, 32000)) && right;
+  right = time_kind("exact", texts_of(std::chars_format::fixed, 16, 32000)) && right;
+  right = time_kind("exponents", texts_of(std::chars_format::scientific, 5, 32000)) && right;
+  right = time_kind("long exponents", texts_of(std::chars_format::scientific, 16, 32000)) && right;
   right = time_kind("25 digits", long_texts(25)) && right;
   right = time_kind("300 digits", long_texts(300)) && right;
   right = time_kind("25 digits, e0", long_texts(25, "e0")) && right;
