@@ -56,7 +56,7 @@ class Animation final : public Player {
     // As add() would leave it, which takes a time that grows with the square of the objects.
     order_.resize(objects_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    if (last_goes_first()) std::ranges::reverse(order_);
+    if (last_goes_first()) std::reverse(order_.begin(), order_.end());
   }
 
   /// Adds an object of any kind. Unsorted objects are drawn in the order in which they were added.

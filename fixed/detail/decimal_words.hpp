@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <type_traits>
 
@@ -43,11 +42,13 @@ constexpr std::uint64_t power_of_ten(std::int64_t i) noexcept {
 /// character at least 10.
 constexpr std::uint64_t eight_digits(const char* at) noexcept {
   std::uint64_t chars = 0;
+#if defined(__GNUC__)  // <cstring> is not there without an operating system
   if (std::endian::native == std::endian::little && !std::is_constant_evaluated()) {
-    std::memcpy(&chars, at, sizeof chars);
-  } else {
-    for (int i = 8; i-- > 0;) chars = chars << 8 | static_cast<unsigned char>(at[i]);
+    __builtin_memcpy(&chars, at, 8);
+    return chars ^ 0x3030303030303030;
   }
+#endif
+  for (int i = 8; i-- > 0;) chars = chars << 8 | static_cast<unsigned char>(at[i]);
   return chars ^ 0x3030303030303030;
 }
 
