@@ -45,10 +45,9 @@ constexpr std::uint64_t eight_digits(const char* at) noexcept {
 #if defined(__GNUC__)  // <cstring> is not there without an operating system
   if (std::endian::native == std::endian::little && !std::is_constant_evaluated()) {
     __builtin_memcpy(&chars, at, 8);
-    return chars ^ 0x3030303030303030;
-  }
+  } else
 #endif
-  for (int i = 8; i-- > 0;) chars = chars << 8 | static_cast<unsigned char>(at[i]);
+    for (int i = 8; i-- > 0;) chars = chars << 8 | static_cast<unsigned char>(at[i]);
   return chars ^ 0x3030303030303030;
 }
 
