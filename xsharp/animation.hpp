@@ -53,7 +53,7 @@ class Animation final : public Player {
           object, static_cast<std::uint32_t>(objects_.size()), style));
       shades_pixels_ = shades_pixels_ || object.surface.kind == SurfaceKind::phong;
     }
-    // As add() would leave it, which takes a time that grows with the square of the objects.
+    // The order that add() gives. For many objects, inserting each at the front would be slow.
     order_.resize(objects_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     if (last_goes_first()) std::reverse(order_.begin(), order_.end());

@@ -170,8 +170,10 @@ class decimal_reader {
   std::int64_t exponent_ = 0;
 };
 
-/// Reads the longest number at the beginning of a text, rounded by rule R. \pre the text begins
-/// with one \param value what decimal_reader::value() returns \return the end of the number
+/// Reads the longest number at the beginning of a text, rounded by rule R.
+/// \pre the text begins with a number
+/// \param value what decimal_reader::value() returns
+/// \return the end of the number
 template <rounding R, int FractionBits, class Raw>
 FIXED_NOINLINE constexpr const char* read_any(const char* first, const char* last,
                                               std::optional<Raw>& value) noexcept {
@@ -182,7 +184,8 @@ FIXED_NOINLINE constexpr const char* read_any(const char* first, const char* las
   return at - reader.excess();
 }
 
-/// The same, by words if they suffice. \return `first` if there is no number
+/// Reads the longest number at the beginning of a text. Tries read_words() first, which is faster.
+/// \return the end of the number, or `first` if the text begins with no number
 template <rounding R, int FractionBits, class Raw>
 constexpr const char* read_decimal(const char* first, const char* last,
                                    std::optional<Raw>& value) noexcept {

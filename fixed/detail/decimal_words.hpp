@@ -104,12 +104,11 @@ constexpr std::optional<Raw> rounded_text(Wide magnitude, std::uint64_t rest, st
   return static_cast<Raw>(magnitude);
 }
 
-/// A number of which `fraction` has 18 digits after the point.
+/// The digits of a number, without its sign.
 struct decimal_words {
-  std::uint64_t whole = 0;
-  std::uint64_t fraction = 0;
-  /// Whether the number is further from zero, by less than one unit of the fraction.
-  bool more = false;
+  std::uint64_t whole = 0;     ///< the digits before the point
+  std::uint64_t fraction = 0;  ///< the first 18 digits after the point
+  bool more = false;           ///< whether a later digit is not zero
 };
 
 /// Rounds by rule R.
