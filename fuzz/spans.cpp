@@ -236,7 +236,7 @@ fixproof::batch::report call(const Layout& layout, std::span<N> buffer, const Ro
     case Call::sin_cos:
       batch::sin_cos(in(0), out(0), out(1), how.use);
       return {};
-    default:
+    case Call::dot:
       ending.sum = batch::dot(in(0), in(1), how.use).raw();
       return {};
   }
@@ -318,6 +318,15 @@ void write_expected(const Layout& layout, std::span<const N> from, const Rows<N>
           put(r, row(r, 0) * x(0) + row(r, 1) * x(1) + row(r, 2) * x(2) + row(r, 3));
         }
         break;
+      case Call::fused_transform:
+      case Call::fused_transform_columns:
+        for (std::size_t r = 0; r < 3; ++r) {
+          fixproof::accumulator<Q> sum;
+          sum.add(row(r, 3));
+          for (std::size_t k = 0; k < 3; ++k) sum.add_product(row(r, k), x(k));
+          put(r, sum.result());
+        }
+        break;
       case Call::project:
       case Call::project_columns:
         for (std::size_t k = 0; k < 2; ++k) put(k, x(k) / x(2) * row(0, 3));
@@ -332,7 +341,7 @@ void write_expected(const Layout& layout, std::span<const N> from, const Rows<N>
         put(0, fixproof::cos(x(0)));
         put(1, fixproof::sin(x(0)));
         break;
-      default:
+      case Call::dot:  // writes no span
         break;
     }
   }
