@@ -229,17 +229,18 @@ fixproof::batch::report call(const Layout& layout, std::span<N> buffer, const Ro
       return batch::project(in(0), in(1), in(2), rows[0][3], out(0), out(1), how);
     case Call::sin:
       batch::sin(in(0), out(0), how.use);
-      return {};
+      break;
     case Call::cos:
       batch::cos(in(0), out(0), how.use);
-      return {};
+      break;
     case Call::sin_cos:
       batch::sin_cos(in(0), out(0), out(1), how.use);
-      return {};
+      break;
     case Call::dot:
       ending.sum = batch::dot(in(0), in(1), how.use).raw();
-      return {};
+      break;
   }
+  return {};
 }
 
 /// Whether a policy can throw it.
