@@ -19,161 +19,18 @@
 #include "batch/radian.hpp"
 #include "fixed/fixed.hpp"
 #include "fuzz/finding.hpp"
+#include "fuzz/span_layout.hpp"
 #include "fuzz/words.hpp"
 
 using namespace fixproof;
 using fixproof::batch::path;
+using fuzz::Bytes;
+using fuzz::Call;
+using fuzz::Layout;
+using fuzz::Range;
+using fuzz::Shape;
 
 namespace {
-
-/// The spans that a function takes, and how many numbers make up one element of each.
-struct Shape {
-  std::string_view name;
-  std::size_t inputs;
-  std::size_t in_width;
-  std::size_t outputs;
-  std::size_t out_width;
-};
-
-enum class Call {
-  multiply,
-  mul_add,
-  divide,
-  sqrt,
-  transform,
-  transform_columns,
-  project,
-  project_columns,
-  sin,
-  cos,
-  sin_cos,
-  dot,
-  fused_transform,
-  fused_transform_columns
-};
-
-constexpr std::array<Shape, 14> shapes{{{"multiply", 2, 1, 1, 1},
-                                        {"mul_add", 3, 1, 1, 1},
-                                        {"divide", 2, 1, 1, 1},
-                                        {"sqrt", 1, 1, 1, 1},
-                                        {"transform", 1, 3, 1, 3},
-                                        {"transform of columns", 3, 1, 3, 1},
-                                        {"project", 1, 3, 1, 2},
-                                        {"project of columns", 3, 1, 2, 1},
-                                        {"sin", 1, 1, 1, 1},
-                                        {"cos", 1, 1, 1, 1},
-                                        {"sin_cos", 1, 1, 2, 1},
-                                        {"dot", 2, 1, 0, 1},
-                                        {"fused_transform", 1, 3, 1, 3},
-                                        {"fused_transform of columns", 3, 1, 3, 1}}};
-
-constexpr std::size_t most_spans = 3;
-constexpr std::size_t buffer_size = 4096;
-
-/// Numbers of the buffer.
-struct Range {
-  std::size_t first = 0;
-  std::size_t last = 0;  ///< one past the end
-
-  [[nodiscard]] bool meets(const Range& other) const {
-    return first < other.last && other.first < last;
-  }
-};
-
-struct Layout {
-  Call call = Call::multiply;
-  std::size_t count = 0;                     ///< elements that the function computes
-  std::array<std::size_t, most_spans> in{};  ///< first numbers
-  std::array<std::size_t, most_spans> out{};
-  std::array<std::size_t, 2 * most_spans> surplus{};  ///< elements of each span beyond `count`
-  bool marked = false;
-
-  [[nodiscard]] const Shape& shape() const { return shapes[static_cast<std::size_t>(call)]; }
-  [[nodiscard]] Range input(std::size_t i) const {
-    return {in[i], in[i] + count * shape().in_width};
-  }
-  [[nodiscard]] Range output(std::size_t i) const {
-    return {out[i], out[i] + count * shape().out_width};
-  }
-  /// As batch/batch.hpp permits it.
-  [[nodiscard]] bool permitted() const {
-    for (std::size_t o = 0; o < shape().outputs; ++o) {
-      for (std::size_t i = 0; i < shape().inputs; ++i) {
-        const bool same = in[i] == out[o] && shape().in_width == shape().out_width;
-        if (!same && output(o).meets(input(i))) return false;
-      }
-      for (std::size_t other = 0; other < o; ++other) {
-        if (output(o).meets(output(other))) return false;
-      }
-    }
-    return true;
-  }
-  [[nodiscard]] bool writes(std::size_t number) const {
-    for (std::size_t o = 0; o < shape().outputs; ++o) {
-      if (output(o).meets({number, number + 1})) return true;
-    }
-    return false;
-  }
-  [[nodiscard]] std::string text() const {
-    std::string said = fmt::format("{}, {} elements, marks {}", shape().name, count, marked);
-    for (std::size_t i = 0; i < shape().inputs; ++i) said += fmt::format(", input {}", in[i]);
-    for (std::size_t o = 0; o < shape().outputs; ++o) said += fmt::format(", output {}", out[o]);
-    return said;
-  }
-};
-
-/// Takes bytes of the input one by one; zeros once they are used up.
-class Bytes {
- public:
-  explicit Bytes(std::span<const std::uint8_t> bytes) : left_(bytes) {}
-  std::size_t next() {
-    if (left_.empty()) return 0;
-    const std::uint8_t byte = left_.front();
-    left_ = left_.subspan(1);
-    return byte;
-  }
-  [[nodiscard]] std::span<const std::uint8_t> left() const { return left_; }
-
- private:
-  std::span<const std::uint8_t> left_;
-};
-
-/// A place for a span of `size` numbers: often that of another span, or right behind it.
-std::size_t place(Bytes& bytes, std::span<const Range> others, std::size_t size) {
-  const std::size_t kind = bytes.next();
-  const std::size_t at = bytes.next();
-  std::size_t first = at * 7 + kind % 64;
-  if (!others.empty() && kind >= 64) {
-    const Range& other = others[at % others.size()];
-    // The same place, right behind, or a few numbers away on either side.
-    first = other.first;
-    if (kind >= 128) first = other.last;
-    if (kind >= 192) first = other.first + kind % 64 < 32 ? 0 : other.first + kind % 64 - 32;
-  }
-  return std::min(first, buffer_size - size);
-}
-
-Layout read_layout(Bytes& bytes) {
-  Layout layout;
-  layout.call = static_cast<Call>(bytes.next() % shapes.size());
-  layout.marked = bytes.next() % 2 == 1;
-  layout.count = bytes.next();
-  for (std::size_t& one : layout.surplus) one = bytes.next() % 4;
-  // One span ends the batch.
-  const std::size_t spans = layout.shape().inputs + layout.shape().outputs;
-  layout.surplus[bytes.next() % spans] = 0;
-  std::vector<Range> taken;
-  const auto add = [&](std::size_t width, std::size_t& first) {
-    first = place(bytes, taken, (layout.count + 4) * width);
-    taken.push_back({first, first + layout.count * width});
-  };
-  for (std::size_t i = 0; i < layout.shape().inputs; ++i)
-    add(layout.shape().in_width, layout.in[i]);
-  for (std::size_t o = 0; o < layout.shape().outputs; ++o) {
-    add(layout.shape().out_width, layout.out[o]);
-  }
-  return layout;
-}
 
 template <class N>
 using Rows = std::array<std::array<N, 4>, 3>;
@@ -353,7 +210,7 @@ template <class N>
 Ending run_apart(const Layout& layout, std::span<const N> buffer, const Rows<N>& rows) {
   const Shape& shape = layout.shape();
   const std::size_t room = (layout.count + 4) * 3;
-  std::vector<N> apart(2 * most_spans * room);
+  std::vector<N> apart(2 * fuzz::most_spans * room);
   Layout moved = layout;
   for (std::size_t i = 0; i < shape.inputs; ++i) {
     moved.in[i] = i * room;
@@ -362,7 +219,7 @@ Ending run_apart(const Layout& layout, std::span<const N> buffer, const Rows<N>&
               buffer.begin() + static_cast<std::ptrdiff_t>(from.last),
               apart.begin() + static_cast<std::ptrdiff_t>(moved.in[i]));
   }
-  for (std::size_t o = 0; o < shape.outputs; ++o) moved.out[o] = (most_spans + o) * room;
+  for (std::size_t o = 0; o < shape.outputs; ++o) moved.out[o] = (fuzz::most_spans + o) * room;
   return run<N>(moved, apart, rows, path::portable);
 }
 
@@ -395,10 +252,11 @@ bool has_marks(Call call) {
 
 template <class N>
 void check(const Layout& layout, std::span<const std::uint32_t> words) {
-  std::vector<N> before(buffer_size);
-  for (std::size_t i = 0; i < buffer_size; ++i) before[i] = number_of<N>(words, i);
+  std::vector<N> before(fuzz::buffer_size);
+  for (std::size_t i = 0; i < fuzz::buffer_size; ++i) before[i] = number_of<N>(words, i);
   Rows<N> rows;
-  for (std::size_t i = 0; i < 12; ++i) rows[i / 4][i % 4] = number_of<N>(words, buffer_size - i);
+  for (std::size_t i = 0; i < 12; ++i)
+    rows[i / 4][i % 4] = number_of<N>(words, fuzz::buffer_size - i);
   const bool permitted = layout.permitted();
   std::vector<N> want = before;
   Ending ending;
@@ -421,7 +279,7 @@ void check(const Layout& layout, std::span<const std::uint32_t> words) {
       return fmt::format("path {}, {} fraction bits, {}", static_cast<int>(use), N::fraction_bits,
                          layout.text());
     };
-    for (std::size_t i = 0; i < buffer_size; ++i) {
+    for (std::size_t i = 0; i < fuzz::buffer_size; ++i) {
       const bool free = !permitted && layout.writes(i);
       if (!free && buffer[i].raw() != want[i].raw()) {
         fuzz::report_finding(fmt::format("{}: number {} is {:x}, must be {:x}", where(), i,
@@ -446,7 +304,7 @@ void check(const Layout& layout, std::span<const std::uint32_t> words) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes({data, size});
   const std::size_t type = bytes.next();
-  const Layout layout = read_layout(bytes);
+  const Layout layout = fuzz::read_layout(bytes);
   constexpr std::size_t most_words = 256;
   std::vector<std::uint32_t> words(
       std::clamp<std::size_t>(bytes.left().size() / fuzz::bytes_of_word, 1, most_words));
