@@ -64,16 +64,14 @@ FIXED_ALWAYS_INLINE report
 multiply(const A& a, const B& b, Out&& out,
          const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
   using N = detail::element_t<A>;
-  const N* const x = std::data(a);
-  const N* const y = std::data(b);
-  N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, a, b, out);
   return detail::run_batch<4, detail::has_lanes<N>, N::rules.product_range()>(
       "multiply", how, count,
-      [&](auto on, detail::fault_recorder& found) {
-        return on.template run<typename decltype(on)::template products<N>>(count, found, x, y, to);
+      [](auto on, auto... args) {
+        return on.template run<typename decltype(on)::template products<N>>(args...);
       },
-      [=](std::size_t i) { return detail::multiplied(x[i], y[i]); }, detail::store_at(to));
+      [](std::size_t i, const N* p, const N* q) { return detail::multiplied(p[i], q[i]); },
+      std::data(out), std::data(a), std::data(b));
 }
 
 /// out[i] = mul_add(a[i], b[i], c[i]): the product and the sum, rounded once.
@@ -83,19 +81,16 @@ FIXED_ALWAYS_INLINE report
 mul_add(const A& a, const B& b, const C& c, Out&& out,
         const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
   using N = detail::element_t<A>;
-  const N* const x = std::data(a);
-  const N* const y = std::data(b);
-  const N* const z = std::data(c);
-  N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, a, b, c, out);
   return detail::run_batch<4, detail::has_mul_add_lanes<N>, N::rules.product_range()>(
       "mul_add", how, count,
-      [&](auto on, detail::fault_recorder& found) {
-        return on.template run<typename decltype(on)::template mul_adds<N>>(count, found, x, y, z,
-                                                                            to);
+      [](auto on, auto... args) {
+        return on.template run<typename decltype(on)::template mul_adds<N>>(args...);
       },
-      [=](std::size_t i) { return detail::multiplied_and_added(x[i], y[i], z[i]); },
-      detail::store_at(to));
+      [](std::size_t i, const N* x, const N* y, const N* z) {
+        return detail::multiplied_and_added(x[i], y[i], z[i]);
+      },
+      std::data(out), std::data(a), std::data(b), std::data(c));
 }
 
 /// out[i] = n[i] / d[i]. Counts every element for which try_divide returns nothing, even if
@@ -107,25 +102,13 @@ divide(const Numerators& n, const Divisors& d, Out&& out,
        const options& how = {}) noexcept(detail::element_t<Numerators>::divide_never_throws) {
   using N = detail::element_t<Numerators>;
   constexpr policy P = N::rules;
-  const N* const x = std::data(n);
-  const N* const y = std::data(d);
-  N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, n, d, out);
-  const auto element = [=](std::size_t i) { return detail::divided(x[i], y[i]); };
-  constexpr bool has_quotients = detail::has_quotient_lanes<N>;
-  return detail::run_batch<1, has_quotients, P.quotient_range(), P.fault>(
+  return detail::run_batch<1, detail::has_quotient_lanes<N>, P.quotient_range(), P.fault>(
       "divide", how, count,
-      [&](auto on, detail::fault_recorder& found) {
-        return on.template run<typename decltype(on)::template quotients<N>>(count, found, x, y,
-                                                                             to);
+      [](auto on, auto... args) {
+        return on.template run<typename decltype(on)::template quotients<N>>(args...);
       },
-      element, detail::store_at(to),
-      [&](std::size_t done, detail::fault_recorder& found) {
-        if constexpr (N::divide_never_throws && has_quotients) {
-          done = detail::divide_blocks(done, x, y, to, count, found, element);
-        }
-        detail::each_element(done, count, found, element, detail::store_at(to));
-      });
+      detail::quotient_element{}, std::data(out), std::data(n), std::data(d));
 }
 
 /// out[i] = sqrt(x[i]). Counts negative operands under every policy.
@@ -133,17 +116,15 @@ template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
 FIXED_ALWAYS_INLINE report
 sqrt(const X& x, Out&& out, const options& how = {}) noexcept(detail::element_t<X>::never_throws) {
   using N = detail::element_t<X>;
-  const N* const from = std::data(x);
-  N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, x, out);
   return detail::run_batch<1, detail::has_root_lanes<N>, N::rules.range>(
       "sqrt", how, count,
-      [&](auto on, detail::fault_recorder& found) {
+      [](auto on, auto... args) {
         return on.template run<
-            typename decltype(on)::template roots<typename N::raw_type, N::fraction_bits>>(
-            count, found, from, to);
+            typename decltype(on)::template roots<typename N::raw_type, N::fraction_bits>>(args...);
       },
-      [=](std::size_t i) { return detail::rooted(from[i]); }, detail::store_at(to));
+      [](std::size_t i, const N* from) { return detail::rooted(from[i]); }, std::data(out),
+      std::data(x));
 }
 
 /// fixproof::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum
@@ -156,28 +137,17 @@ FIXED_ALWAYS_INLINE detail::element_t<A> dot(const A& a, const B& b, path use = 
                 !detail::has_wide_sum<typename N::raw_type, N::fraction_bits>) {
     return fixproof::dot(a, b);
   } else {
-    constexpr std::size_t at_once = std::size_t{1} << 30;  // the capacity of loops::dot()
-    constexpr std::size_t few = 4;                         // that are faster one by one
     const N* const x = std::data(a);
     const N* const y = std::data(b);
     const std::size_t count = detail::shortest(a, b);
     std::conditional_t<detail::rounds_modulo<N>, std::uint64_t, detail::wide_sum> sum{};
-    for (std::size_t done = 0; done < count;) {
-      const std::size_t end = done + (std::min)(count - done, at_once);
-      if (count > few) {
-        done += detail::on_path<true>(use, [&](auto on) {
-          return on.template dot<typename N::raw_type>(x + done, y + done, end - done, sum);
-        });
-      }
-      for (; done < end; ++done) {
-        const std::int64_t product = std::int64_t{x[done].raw()} * y[done].raw();
-        if constexpr (detail::rounds_modulo<N>) {
-          sum += static_cast<std::uint64_t>(product);
-        } else {
-          sum.add(product);
-        }
-      }
-    }
+    const auto each = [=] { return fixproof::dot(std::span(x, count), std::span(y, count)); };
+    if (count <= (detail::sure_of_masks ? 1 : 4)) return each();
+    const std::size_t done = detail::on_path<true>(use, [&](auto on) {
+      sum = on.template dot<decltype(sum)>(x, y, count);
+      return count;
+    });
+    if (done == 0) return detail::apart(each);
     if constexpr (detail::rounds_modulo<N>) {
       return detail::rounded_sum<N>(sum);
     } else {

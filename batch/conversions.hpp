@@ -16,6 +16,7 @@
 
 #include "batch/batch.hpp"
 #include "batch/detail/element.hpp"
+#include "batch/detail/inlining.hpp"
 #include "batch/detail/spans.hpp"
 #include "batch/detail/targets.hpp"
 #include "fixed/detail/floating.hpp"
@@ -46,16 +47,14 @@ from_floats(const X& x, Out&& out, const options& how = {})
 noexcept(detail::element_t<Out>::never_throws) {
   using N = detail::element_t<Out>;
   using Float = detail::element_t<X>;
-  const Float* const from = std::data(x);
-  N* const to = std::data(out);
   const std::size_t count = detail::batch_length(how, x, out);
   return detail::run_batch<1, detail::has_float_lanes<N>, N::rules.range>(
       "from_floats", how, count,
-      [&](auto on, detail::fault_recorder& found) {
-        return on.template run<typename decltype(on)::template from_floats<N, Float>>(count, found,
-                                                                                      from, to);
+      [](auto on, auto... args) {
+        return on.template run<typename decltype(on)::template from_floats<N, Float>>(args...);
       },
-      [=](std::size_t i) { return detail::from_float<N>(from[i]); }, detail::store_at(to));
+      [](std::size_t i, const Float* from) { return detail::from_float<N>(from[i]); },
+      std::data(out), std::data(x));
 }
 
 /// out[i] = the float or double nearest to x[i], with ties to even, in every rounding mode of the
@@ -64,19 +63,15 @@ template <detail::number_range X, detail::float_output Out>
 FIXED_ALWAYS_INLINE void to_floats(const X& x, Out&& out, path use = best()) noexcept {
   using N = detail::element_t<X>;
   using Float = detail::element_t<Out>;
-  const N* const from = std::data(x);
-  Float* const to = std::data(out);
-  const std::size_t count = detail::shortest(x, out);
-  constexpr std::size_t few = 2;  // that are faster one by one
-  std::size_t i = 0;
-  if (count > few) {
-    detail::fault_recorder none({});
-    i = detail::on_path<detail::has_float_lanes<N>>(use, [&](auto on) {
-      return on.template run<typename decltype(on)::template to_floats<N, Float>>(count, none, from,
-                                                                                  to);
-    });
-  }
-  for (; i < count; ++i) to[i] = static_cast<Float>(from[i]);
+  (void)detail::run_batch<2, detail::has_float_lanes<N>, overflow::wrap>(
+      "to_floats", {.use = use}, detail::shortest(x, out),
+      [](auto on, auto... args) {
+        return on.template run<typename decltype(on)::template to_floats<N, Float>>(args...);
+      },
+      [](std::size_t i, const N* from) {
+        return detail::outcome<Float>{static_cast<Float>(from[i])};
+      },
+      std::data(out), std::data(x));
 }
 
 }  // namespace fixproof::batch

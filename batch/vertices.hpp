@@ -16,15 +16,16 @@
 
 namespace fixproof::detail {
 
-/// Transforms the vertices that vector registers leave.
-template <template <class> class Transform, class N, class From, class To>
-FIXED_NOINLINE void transform_rest(const transform_rows<N>& rows, const From& from, const To& to,
-                                   std::size_t done, std::size_t count,
-                                   fault_recorder& found) noexcept {
-  const Transform<N> by{rows};
-  few_elements(
-      done, count, found, [&](std::size_t i) { return transformed(by, load_tuple<N, 3>(from, i)); },
-      [&](std::size_t i, const auto& v) { store_tuple<N, 3>(to, i, v); });
+/// Computes vertices or points one by one.
+/// \param element (index) -> outcome
+template <class N, std::size_t size, class To, class Element>
+FIXED_ALWAYS_INLINE void each_tuple(std::size_t i, std::size_t count, fault_recorder& found,
+                                    const To& to, const Element& element) noexcept {
+  for (; i < count; ++i) {
+    const auto one = element(i);
+    store_tuple<N, size>(to, i, one.raw);
+    found.note(one.what, i);
+  }
 }
 
 /// Transforms vertices in one array, a pointer, or in three, an array of pointers.
@@ -33,15 +34,23 @@ template <template <class> class Transform, class N, class From, class To>
 FIXED_ALWAYS_INLINE batch::report transform_all(
     const transform_rows<N>& rows, const From& from, const To& to, std::size_t count,
     const batch::options& how) noexcept(Transform<N>::never_throws) {
-  return run_batch<1, has_lanes<N>, Transform<N>::range>(
-      Transform<N>::name, how, count,
-      [&](auto on, fault_recorder& found) {
-        return on.template transform<Transform>(rows, from, to, count, found);
+  return run_recorded<1, has_lanes<N>, Transform<N>::range, divide_fault::none>(
+      Transform<N>::name, how, 0, count,
+      [&](auto on, const recording& start) {
+        return on.template transform<Transform>(rows, from, to, count, start.found);
       },
-      [&](std::size_t i) { return transformed(Transform<N>{rows}, load_tuple<N, 3>(from, i)); },
-      [&](std::size_t i, const auto& v) { store_tuple<N, 3>(to, i, v); },
       [&](std::size_t done, fault_recorder& found) {
-        transform_rest<Transform>(rows, from, to, done, count, found);
+        const auto rest = [&, done, count] {
+          each_tuple<N, 3>(done, count, found, to, [&, by = Transform<N>{rows}](std::size_t i) {
+            return transformed(by, load_tuple<N, 3>(from, i));
+          });
+        };
+        // One vertex is faster without a call.
+        if (count == 1) {
+          rest();
+        } else {
+          apart(rest);
+        }
       });
 }
 
@@ -57,11 +66,16 @@ FIXED_ALWAYS_INLINE batch::report project_all(
   static_assert((P.quotient_range() == overflow::trap) == (P.product_range() == overflow::trap),
                 "fixproof::batch::project throws for quotients and products alike: give both "
                 "overflow::trap, or neither, in policy::quotients and policy::products");
-  return run_batch<0, has_quotient_lanes<N>, P.quotient_range(), P.fault>(
-      "project", how, count,
-      [&](auto on, fault_recorder& found) { return on.project(constant, from, to, count, found); },
-      [=](std::size_t i) { return projected_point(constant, load_tuple<N, 3>(from, i)); },
-      [=](std::size_t i, const auto& point) { store_tuple<N, 2>(to, i, point); });
+  return run_recorded<0, has_quotient_lanes<N>, P.quotient_range(), P.fault>(
+      "project", how, 0, count,
+      [&](auto on, const recording& start) {
+        return on.project(constant, from, to, count, start.found);
+      },
+      [&](std::size_t done, fault_recorder& found) {
+        each_tuple<N, 2>(done, count, found, to, [&](std::size_t i) {
+          return projected_point(constant, load_tuple<N, 3>(from, i));
+        });
+      });
 }
 
 }  // namespace fixproof::detail

@@ -32,11 +32,11 @@ LIMITS = {
     ("to double and back", "chain"): "latency of the shift by the exponent",
     ("from double", "loop"): "vector ALUs: shifts for any exponent, and NaN and infinity, which peers leave undefined",
     ("from double", "long"): "tests for NaN and range, which peers leave undefined",
-    ("to double", "long"): "loads and stores",
+    ("to double", "long"): "loads and stores; the call in short spans",
     ("sin within 8", "long"): "vector ALUs",
     ("sin", "long"): "vector ALUs",
     ("sin_cos within 8", "long"): "vector ALUs",
-    ("dot", "long"): "loads; the sum of the lanes in short spans",
+    ("dot", "long"): "loads; the call and the sum of the lanes in short spans",
     **{(name, "long"): VERTEX_COST for name in TRANSFORMS},
 }
 

@@ -78,33 +78,49 @@ FIXED_LANE_FUNCTION i32 narrowed(i64 even, i64 odd, i32& bad) {
 
 FIXED_LANE_FUNCTION i64 odd_lanes(i32 x) { return i64(u64(x) >> 32); }
 
+/// Sums in ulp times 2^F, in even and odd lanes.
+struct wide_lanes {
+  i64 even;
+  i64 odd;
+};
+
+/// Exact products: of 16 bits in lanes of 32 bits, of 32 bits in wide lanes.
 template <class N>
-FIXED_LANE_FUNCTION i32 product(i32 a, i32 b, i32& bad) {
-  constexpr int F = N::fraction_bits;
-  constexpr rounding R = N::rules.multiply;
-  constexpr overflow O = N::rules.product_range();
+FIXED_LANE_FUNCTION auto exact_product(i32 a, i32 b) {
   if constexpr (sizeof(N) == 2) {
-    return narrowed<O>(rounded<R, F>(a * b), bad);
+    return a * b;
   } else {
-    return narrowed<O, F>(biased<R, F>(mul_even(i64(a), i64(b))),
-                          biased<R, F>(mul_even(odd_lanes(a), odd_lanes(b))), bad);
+    return wide_lanes{mul_even(i64(a), i64(b)), mul_even(odd_lanes(a), odd_lanes(b))};
   }
 }
 
+/// Adds c to products.
 /// \pre F is at most the width of the stored integer less 2, so that the sums do not overflow
 template <class N>
-FIXED_LANE_FUNCTION i32 product_and_sum(i32 a, i32 b, i32 c, i32& bad) {
+FIXED_LANE_FUNCTION i32 exact_sum(i32 product, i32 c) {
+  return product + (c << N::fraction_bits);
+}
+template <class N>
+FIXED_LANE_FUNCTION wide_lanes exact_sum(wide_lanes product, i32 c) {
+  const i64 one = i64{} + (1 << N::fraction_bits);
+  return {product.even + mul_even(i64(c), one), product.odd + mul_even(odd_lanes(c), one)};
+}
+
+/// Rounds sums, and wraps or saturates them.
+template <class N>
+FIXED_LANE_FUNCTION i32 rounded_product(i32 sum, i32& bad) {
+  return narrowed<N::rules.product_range()>(rounded<N::rules.multiply, N::fraction_bits>(sum), bad);
+}
+template <class N>
+FIXED_LANE_FUNCTION i32 rounded_product(wide_lanes sum, i32& bad) {
   constexpr int F = N::fraction_bits;
   constexpr rounding R = N::rules.multiply;
-  constexpr overflow O = N::rules.product_range();
-  if constexpr (sizeof(N) == 2) {
-    return narrowed<O>(rounded<R, F>(a * b + (c << F)), bad);
-  } else {
-    const i64 one = i64{} + (1 << F);
-    const i64 even = mul_even(i64(a), i64(b)) + mul_even(i64(c), one);
-    const i64 odd = mul_even(odd_lanes(a), odd_lanes(b)) + mul_even(odd_lanes(c), one);
-    return narrowed<O, F>(biased<R, F>(even), biased<R, F>(odd), bad);
-  }
+  return narrowed<N::rules.product_range(), F>(biased<R, F>(sum.even), biased<R, F>(sum.odd), bad);
+}
+
+template <class N>
+FIXED_LANE_FUNCTION i32 product(i32 a, i32 b, i32& bad) {
+  return rounded_product<N>(exact_product<N>(a, b), bad);
 }
 
 /// \name Results whose range is checked later, for several blocks at once
@@ -114,60 +130,38 @@ FIXED_LANE_FUNCTION i32 product_and_sum(i32 a, i32 b, i32 c, i32& bad) {
 /// result takes the half range away again.
 /// \{
 
-/// Wraps 32-bit sums in ulp to 16 bits. Only the lower halves of the lanes are valid.
+/// Rounds sums, and wraps them to 16 bits. Only the lower halves of the lanes are valid.
+template <class N>
 FIXED_LANE_FUNCTION i32 unchecked(i32 sum, u64& sums) {
   constexpr std::int32_t half_range = 1 << 15;
-  sum += half_range;
+  sum = rounded<N::rules.multiply, N::fraction_bits>(sum) + half_range;
   sums |= u64(sum);
   return sum ^ half_range;
 }
 
-/// Drops the last F bits of biased sums in even and odd lanes, and wraps the rest to 32 bits.
-template <int F>
-FIXED_LANE_FUNCTION i32 unchecked(i64 even, i64 odd, u64& sums) {
+/// The same to 32 bits.
+template <class N>
+FIXED_LANE_FUNCTION i32 unchecked(wide_lanes sum, u64& sums) {
+  constexpr int F = N::fraction_bits;
+  constexpr rounding R = N::rules.multiply;
   constexpr std::uint64_t half_range = std::uint64_t{1} << (31 + F);
-  const u64 even_sum = u64(even) + half_range;
-  const u64 odd_sum = u64(odd) + half_range;
-  sums |= even_sum | odd_sum;
-  return middle<F>(i64(even_sum), i64(odd_sum)) ^ (std::numeric_limits<std::int32_t>::min)();
+  const u64 even = u64(biased<R, F>(sum.even)) + half_range;
+  const u64 odd = u64(biased<R, F>(sum.odd)) + half_range;
+  sums |= even | odd;
+  return middle<F>(i64(even), i64(odd)) ^ (std::numeric_limits<std::int32_t>::min)();
 }
 
-/// Tells whether all results were in range.
+/// Tells whether all results were in range, or the range does not matter.
 template <class N>
 FIXED_LANE_FUNCTION bool in_range(u64 sums) {
-  if constexpr (sizeof(N) == 2) {
+  if constexpr (N::rules.product_range() == overflow::wrap) {
+    return true;
+  } else if constexpr (sizeof(N) == 2) {
     return !any_bit(u64(u32(sums) >> 16));
   } else if constexpr (N::fraction_bits < 32) {
     return !any_bit(sums >> (32 + N::fraction_bits));
   } else {
     return true;
-  }
-}
-
-template <class N>
-FIXED_LANE_FUNCTION i32 unchecked_product(i32 a, i32 b, u64& sums) {
-  constexpr int F = N::fraction_bits;
-  constexpr rounding R = N::rules.multiply;
-  if constexpr (sizeof(N) == 2) {
-    return unchecked(rounded<R, F>(a * b), sums);
-  } else {
-    return unchecked<F>(biased<R, F>(mul_even(i64(a), i64(b))),
-                        biased<R, F>(mul_even(odd_lanes(a), odd_lanes(b))), sums);
-  }
-}
-
-/// \pre as product_and_sum()
-template <class N>
-FIXED_LANE_FUNCTION i32 unchecked_product_and_sum(i32 a, i32 b, i32 c, u64& sums) {
-  constexpr int F = N::fraction_bits;
-  constexpr rounding R = N::rules.multiply;
-  if constexpr (sizeof(N) == 2) {
-    return unchecked(rounded<R, F>(a * b + (c << F)), sums);
-  } else {
-    const i64 one = i64{} + (1 << F);
-    return unchecked<F>(
-        biased<R, F>(mul_even(i64(a), i64(b)) + mul_even(i64(c), one)),
-        biased<R, F>(mul_even(odd_lanes(a), odd_lanes(b)) + mul_even(odd_lanes(c), one)), sums);
   }
 }
 
@@ -231,11 +225,12 @@ FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
   }
 }
 
-/// Returns half a block of quotients under the policy. Sets a bit in `errors` for a divide error,
-/// and in `overflows` for a result that is only out of range.
+/// Returns half a block of quotients under the policy, with any value where the divisor is zero.
+/// Sets a bit in `errors` for a divide error, and in `overflows` for a result that is only out of
+/// range.
 template <class N>
-FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::uint32_t& errors,
-                                      std::uint32_t& overflows) {
+FIXED_LANE_FUNCTION half_i32 quotient_if_any(half_i32 n, const divisor_lanes& d,
+                                             std::uint32_t& errors, std::uint32_t& overflows) {
   using raw = typename N::raw_type;
   constexpr policy P = N::rules;
   constexpr overflow O = P.quotient_range();
@@ -262,8 +257,17 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
     if constexpr (O != overflow::wrap) overflows = (above | below) & ~errors;
   }
   if constexpr (O == overflow::saturate) sum = clamp(sum, f64{} + low, f64{} + high);
-  half_i32 result = low_words(whole<by_floor>(sum));
-  if constexpr (sizeof(raw) == 2) result = (result << 16) >> 16;
+  const half_i32 result = low_words(whole<by_floor>(sum));
+  if constexpr (sizeof(raw) == 2) return (result << 16) >> 16;
+  return result;
+}
+
+/// The same, with the results of the policy where the divisor is zero.
+template <class N>
+FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::uint32_t& errors,
+                                      std::uint32_t& overflows) {
+  using raw = typename N::raw_type;
+  half_i32 result = quotient_if_any<N>(n, d, errors, overflows);
   if (d.zeros != 0) [[unlikely]] {
     const half_i32 end = ((n >> 31) ^ std::int32_t{(std::numeric_limits<raw>::max)()}) & (n != 0);
     result = (result & ~d.are_zero) | (end & d.are_zero);
@@ -271,7 +275,7 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
   return result;
 }
 
-/// Returns the nearest square roots in ulp. A negative operand gives 0 and a bit in `errors`.
+/// Returns the nearest square roots in ulp. A negative operand gives 0 and adds a bit to `errors`.
 ///
 /// The code takes the root of n = x 2^F < 2^47 in single precision, and corrects it by the
 /// remainder. Let R be the exact root, so R < 2^23.5, let s be the root in single precision, and
@@ -292,7 +296,7 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
 /// bits hold it. Only n = 0 gives a wrong result, which is negative. The last line makes it 0.
 template <int F>
 FIXED_LANE_FUNCTION i32 nearest_roots(i32 x, std::uint32_t& errors) {
-  errors = bits(x);
+  errors |= bits(x);
   constexpr float units = 1 << F;
   x &= ~(x >> 31);
   const i32 r = integers(root(floats(x) * units));

@@ -3,124 +3,117 @@
 ///
 /// An operation of batch/detail/elements.hpp or batch/detail/conversion_lanes.hpp has
 ///
+///     using number;                             // what it stores, for store()
+///     using check;                              // collects what is_clean() tests
 ///     static constexpr std::size_t size;        // elements of a block
-///     results at(std::size_t i, part) const;    // of the elements from i on
-///
-/// and its results have
-///
-///     void store(void* out, std::size_t i, part) const;
-///     void note(std::size_t i, std::uint32_t of, fault_recorder& found) const;
-///
-/// `of` has a bit set for each element whose fault is recorded. An operation whose range can be
-/// checked for a group of blocks at once also has
-///
-///     static constexpr bool checks_later = true;
-///     i32 at(std::size_t i, u64& sums) const;   // see in_range()
-///
-/// An operation whose blocks callers should not inline has a member is_large.
+///     static constexpr bool in_groups;          // whether four blocks at a time are faster
+///     results at(std::size_t i, part, check&) const;  // of the elements from i on
+///     static bool is_clean(check);              // whether all results are right and have no fault
+///     void note(std::size_t i, part, fault_recorder&) const;  // computes, stores, records faults
 ///
 /// An operation that may be inexact in some rounding mode of the processor also has
 ///
 ///     static bool is_exact();
 ///
-/// Results whose member `missing` says which elements note() computes once more are noted in
-/// groups.
+/// Most spans have no fault. So the loops stop before the first block that may have one. They call
+/// nothing, and need no stack. What notes faults is apart from them.
 
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
 
+/// Computes a block if it has no fault. Else stores nothing, because an output may be an input.
 template <class Operation, class Part>
-FIXED_LANE_FUNCTION void one_block(const Operation& operation, std::size_t i, Part part,
-                                   fault_recorder& found) {
-  const auto results = operation.at(i, part);
-  results.store(operation.out, i, part);
-  results.note(i, part.bits, found);
+FIXED_LANE_FUNCTION bool clean_block(const Operation& operation, std::size_t i, Part part) {
+  typename Operation::check seen{};
+  const auto results = operation.at(i, part, seen);
+  if (!Operation::is_clean(seen)) [[unlikely]] {
+    return false;
+  }
+  store<typename Operation::number>(operation.out, i, results, part);
+  return true;
 }
 
-/// Computes four blocks at a time, as far as they go. \return the first element that is left
+/// Computes blocks from `i` up to `end`, or up to one that may have a fault.
+/// \return where it stops
 template <class Operation>
-FIXED_LANE_FUNCTION std::size_t groups_of_blocks(const Operation& operation, std::size_t end,
-                                                 fault_recorder& found) {
+FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::size_t i,
+                                             std::size_t end) {
+  using number = typename Operation::number;
   constexpr std::size_t size = Operation::size;
-  std::size_t i = 0;
-  for (const std::size_t groups = end - end % (4 * size); i != groups; i += 4 * size) {
-    const auto first = operation.at(i, whole_block{});
-    const auto second = operation.at(i + size, whole_block{});
-    const auto third = operation.at(i + 2 * size, whole_block{});
-    const auto fourth = operation.at(i + 3 * size, whole_block{});
-    first.store(operation.out, i, whole_block{});
-    second.store(operation.out, i + size, whole_block{});
-    third.store(operation.out, i + 2 * size, whole_block{});
-    fourth.store(operation.out, i + 3 * size, whole_block{});
-    if ((first.missing | second.missing | third.missing | fourth.missing) != 0) [[unlikely]] {
-      first.note(i, ~0U, found);
-      second.note(i + size, ~0U, found);
-      third.note(i + 2 * size, ~0U, found);
-      fourth.note(i + 3 * size, ~0U, found);
+  if constexpr (Operation::in_groups) {
+    for (; end - i >= 4 * size; i += 4 * size) {
+      typename Operation::check seen{};
+      const auto first = operation.at(i, whole_block{}, seen);
+      const auto second = operation.at(i + size, whole_block{}, seen);
+      const auto third = operation.at(i + 2 * size, whole_block{}, seen);
+      const auto fourth = operation.at(i + 3 * size, whole_block{}, seen);
+      if (!Operation::is_clean(seen)) [[unlikely]] {
+        return i;
+      }
+      store<number>(operation.out, i, first);
+      store<number>(operation.out, i + size, second);
+      store<number>(operation.out, i + 2 * size, third);
+      store<number>(operation.out, i + 3 * size, fourth);
+    }
+  }
+  for (; i != end; i += size) {
+    if (!clean_block(operation, i, whole_block{})) [[unlikely]] {
+      return i;
     }
   }
   return i;
 }
 
-/// Computes the elements below `end`, a multiple of the block size.
+/// Computes the elements from `i` on.
+/// \return the first element that is left: `count`, or one from which on a block may have a fault,
+/// does not fill a register without masks, or would not be exact
 template <class Operation>
-FIXED_LANE_FUNCTION void whole_blocks(const Operation& operation, std::size_t end,
-                                      fault_recorder& found) {
-  constexpr std::size_t size = Operation::size;
-  std::size_t i = 0;
-  if constexpr (Operation::checks_later) {
-    using raw = typename Operation::number::raw_type;
-    for (const std::size_t groups = end - end % (4 * size); i != groups; i += 4 * size) {
-      u64 sums{};
-      const i32 first = operation.at(i, sums);
-      const i32 second = operation.at(i + size, sums);
-      const i32 third = operation.at(i + 2 * size, sums);
-      const i32 fourth = operation.at(i + 3 * size, sums);
-      if (in_range<typename Operation::number>(sums)) [[likely]] {
-        store<raw>(operation.out, i, first);
-        store<raw>(operation.out, i + size, second);
-        store<raw>(operation.out, i + 2 * size, third);
-        store<raw>(operation.out, i + 3 * size, fourth);
-      } else {
-        for (std::size_t k = i; k != i + 4 * size; k += size) {
-          one_block(operation, k, whole_block{}, found);
-        }
-      }
-    }
-  }
-  if constexpr (requires { operation.at(i, whole_block{}).missing; }) {
-    i = groups_of_blocks(operation, end, found);
-  }
-  for (; i != end; i += size) one_block(operation, i, whole_block{}, found);
-}
-
-/// Computes a span.
-/// \return the number of elements done: all of them, or none if they would not be exact, or if they
-/// do not fill a block and there are no masks
-template <class Operation>
-FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size_t count,
-                                           fault_recorder& found) {
+FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size_t i,
+                                           std::size_t count) {
   constexpr std::size_t size = Operation::size;
   if constexpr (requires { Operation::is_exact(); }) {
-    if (!Operation::is_exact()) return 0;
+    if (!Operation::is_exact()) return i;
   }
   if constexpr (has_masks) {
-    const std::size_t rest = count % size;
-    whole_blocks(operation, count - rest, found);
-    if (rest != 0) one_block(operation, count - rest, first_elements(rest), found);
-    return count;
+    const std::size_t rest = (count - i) % size;
+    i = clean_blocks(operation, i, count - rest);
+    if (i + rest != count || rest == 0) return i;
+    return clean_block(operation, i, first_elements(rest)) ? count : i;
   } else {
-    if (count < size) return 0;
+    if (count - i < size) return i;
     // The last block may overlap the one before it, and an output may be an input. So the last
     // block is computed first.
     const std::size_t last = count - size;
-    const auto results = operation.at(last, whole_block{});
-    const std::size_t end = (count - 1) / size * size;
-    whole_blocks(operation, end, found);
-    results.store(operation.out, last, whole_block{});
-    results.note(last, ~0U << (end - last), found);
+    typename Operation::check seen{};
+    const auto results = operation.at(last, whole_block{}, seen);
+    const std::size_t end = i + (count - i - 1) / size * size;
+    i = clean_blocks(operation, i, end);
+    if (i != end || !Operation::is_clean(seen)) return i;
+    store<typename Operation::number>(operation.out, last, results, whole_block{});
     return count;
   }
+}
+
+/// Computes the elements from `i` on, and records their faults. Up to four blocks at a time: after
+/// a fault, and then as far as each_block() finds none.
+/// \return the first element that is left: `count`, or one that does not fill a block without masks
+template <class Operation>
+FIXED_LANE_FUNCTION std::size_t noted_blocks(const Operation& operation, std::size_t i,
+                                             std::size_t count, fault_recorder& found) {
+  constexpr std::size_t size = Operation::size;
+  while (count - i >= (has_masks ? 1 : size)) {
+    for (int k = 0; k < 4 && count - i >= size; ++k, i += size) {
+      operation.note(i, whole_block{}, found);
+    }
+    if constexpr (has_masks) {
+      if (count - i < size) {
+        operation.note(i, first_elements(count - i), found);
+        return count;
+      }
+    }
+    i = each_block(operation, i, count);
+  }
+  return i;
 }
 
 }  // namespace fixproof::detail::FIXED_LANES

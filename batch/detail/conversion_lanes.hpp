@@ -59,91 +59,75 @@ FIXED_LANE_FUNCTION half_i32 half_rounded(f64 twice) {
 /// Half a block of numbers from floating-point numbers. note() computes lanes that may be out of
 /// range, or NaN, one by one.
 template <class N, class Float>
-struct from_float_results {
-  const void* from;
-  void* to;
-  half_i32 values;
-  std::uint32_t missing;
+struct from_float_blocks {
+  using number = N;
+  using limits = std::numeric_limits<typename N::raw_type>;
+  static constexpr rounding R = N::rules.multiply;
+  static constexpr bool by_words = has_half_up_words && R == rounding::half_up && sizeof(N) == 4;
+  using check = std::conditional_t<by_words, half_i32, std::uint32_t>;
+  static constexpr std::size_t size = width / 2;
+  static constexpr bool in_groups = true;
+  void* out;
+  const void* x;
 
-  template <class Part>
-  FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
-    store_half<N>(out, i, values, part);
-  }
-  FIXED_LANE_FUNCTION void note(std::size_t i, std::uint32_t of, fault_recorder& found) const {
-    if (missing != 0) [[unlikely]] {
-      missing_from_floats<N, Float>(from, to, i, missing, of, found);
+  /// The lanes that note() computes.
+  FIXED_LANE_FUNCTION static std::uint32_t missing(check seen) {
+    if constexpr (by_words) {
+      return bits_equal(seen, (limits::min)());
+    } else {
+      return seen;
     }
   }
-};
-
-template <class N, class Float>
-struct from_float_blocks {
-  static constexpr std::size_t size = width / 2;
-  static constexpr bool is_large = true;
-  static constexpr bool checks_later = false;
-  const void* x;
-  void* out;
-
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION from_float_results<N, Float> at(std::size_t i,
-                                                                    Part part) const {
-    using limits = std::numeric_limits<typename N::raw_type>;
-    constexpr rounding R = N::rules.multiply;
-    if constexpr (has_half_up_words && R == rounding::half_up && sizeof(N) == 4) {
+  [[nodiscard]] FIXED_LANE_FUNCTION half_i32 at(std::size_t i, Part part, check& seen) const {
+    if constexpr (by_words) {
       // Rounding the sum down does not change its floor. The least word may be a result, too; it is
       // rare enough to be computed again.
       constexpr double one = std::uint64_t{1} << N::fraction_bits;
       const half_i32 values = half_up_words(load_doubles<Float, R>(x, i, part), one);
-      return {x, out, values, bits_equal(values, (limits::min)())};
+      seen = seen < values ? seen : values;
+      return values;
+    } else {
+      constexpr bool wraps = N::rules.range == overflow::wrap;
+      constexpr double lowest = wraps ? -0x1p50 : double{(limits::min)()};
+      constexpr double highest = wraps ? 0x1p50 : double{(limits::max)()};
+      constexpr double twice_one = std::uint64_t{2} << N::fraction_bits;
+      const f64 twice = load_doubles<Float, R>(x, i, part) * twice_one;
+      const std::uint32_t there =
+          bits_at_least(twice, f64{} + 2 * lowest) & bits_at_least(f64{} + 2 * highest, twice);
+      seen |= there ^ ((1U << size) - 1);
+      return half_rounded<R>(twice);
     }
-    constexpr bool wraps = N::rules.range == overflow::wrap;
-    constexpr double lowest = wraps ? -0x1p50 : double{(limits::min)()};
-    constexpr double highest = wraps ? 0x1p50 : double{(limits::max)()};
-    constexpr double twice_one = std::uint64_t{2} << N::fraction_bits;
-    const f64 twice = load_doubles<Float, R>(x, i, part) * twice_one;
-    const std::uint32_t there =
-        bits_at_least(twice, f64{} + 2 * lowest) & bits_at_least(f64{} + 2 * highest, twice);
-    return {x, out, half_rounded<R>(twice), there ^ ((1U << size) - 1)};
+  }
+  FIXED_LANE_FUNCTION static bool is_clean(check seen) { return missing(seen) == 0; }
+  template <class Part>
+  FIXED_LANE_FUNCTION void note(std::size_t i, Part part, fault_recorder& found) const {
+    check seen{};
+    store<N>(out, i, at(i, part, seen), part);
+    missing_from_floats<N, Float>(x, out, i, missing(seen), found);
   }
 };
 
 /// Results that have no faults.
 struct no_faults {
-  FIXED_LANE_FUNCTION void note(std::size_t /*i*/, std::uint32_t /*of*/,
-                                fault_recorder& /*found*/) const {}
-};
+  using check = no_faults;
+  static constexpr bool in_groups = true;
 
-struct double_results : no_faults {
-  f64 values;
-
-  explicit FIXED_LANE_FUNCTION double_results(f64 x) : values(x) {}
-  template <class Part>
-  FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
-    store_half_doubles(out, i, values, part);
-  }
+  FIXED_LANE_FUNCTION static bool is_clean(no_faults /*seen*/) { return true; }
 };
 
 template <class N>
-struct to_double_blocks {
+struct to_double_blocks : no_faults {
+  using number = double;
   static constexpr std::size_t size = width / 2;
-  static constexpr bool checks_later = false;
-  const void* x;
   void* out;
+  const void* x;
 
+  FIXED_LANE_FUNCTION to_double_blocks(void* to, const void* from) : out(to), x(from) {}
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION double_results at(std::size_t i, Part part) const {
+  [[nodiscard]] FIXED_LANE_FUNCTION f64 at(std::size_t i, Part part, no_faults& /*seen*/) const {
     constexpr double unit = 1.0 / static_cast<double>(std::uint64_t{1} << N::fraction_bits);
-    return double_results(doubles(load_half<N>(x, i, part)) * unit);
-  }
-};
-
-struct float_results : no_faults {
-  f32 values;
-
-  explicit FIXED_LANE_FUNCTION float_results(f32 x) : values(x) {}
-  template <class Part>
-  FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
-    FIXED_LANES::store<std::int32_t>(out, i, i32(values), part);
+    return doubles(load_half<N>(x, i, part)) * unit;
   }
 };
 
@@ -159,16 +143,17 @@ FIXED_LANE_FUNCTION bool floats_are_nearest() {
 }
 
 template <class N>
-struct to_float_blocks {
+struct to_float_blocks : no_faults {
+  using number = float;
   static constexpr std::size_t size = width;
-  static constexpr bool checks_later = false;
-  const void* x;
   void* out;
+  const void* x;
 
+  FIXED_LANE_FUNCTION to_float_blocks(void* to, const void* from) : out(to), x(from) {}
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION float_results at(std::size_t i, Part part) const {
+  [[nodiscard]] FIXED_LANE_FUNCTION f32 at(std::size_t i, Part part, no_faults& /*seen*/) const {
     constexpr float unit = 1.0F / static_cast<float>(std::uint64_t{1} << N::fraction_bits);
-    return float_results(floats(load<N>(x, i, part)) * unit);
+    return floats(load<N>(x, i, part)) * unit;
   }
   FIXED_LANE_FUNCTION static bool is_exact() { return floats_are_nearest(); }
 };

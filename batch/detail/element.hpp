@@ -109,16 +109,25 @@ constexpr outcome_of<N> from_float(Float value) noexcept {
           O == overflow::wrap ? fault::none : fault::overflow};
 }
 
-/// Computes element i + k for every bit k that is set in `missing`. Records its fault if bit k is
-/// also set in `of`.
+/// Computes element i + k for every bit k that is set in `missing`, and records its fault.
 template <class N, class Float, class Recorder>
 void missing_from_floats(const void* from, void* to, std::size_t i, std::uint32_t missing,
-                         std::uint32_t of, Recorder& found) noexcept {
+                         Recorder& found) noexcept {
   for (; missing != 0; missing &= missing - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(missing));
     const auto one = from_float<N>(static_cast<const Float*>(from)[i + k]);
     static_cast<N*>(to)[i + k] = N::from_raw(one.raw);
-    if ((of >> k & 1U) != 0) found.note(one.what, i + k);
+    found.note(one.what, i + k);
+  }
+}
+
+/// A stored integer as a number, or a floating-point number.
+template <class T, class Raw>
+constexpr T stored(Raw raw) noexcept {
+  if constexpr (std::is_floating_point_v<T>) {
+    return raw;
+  } else {
+    return T::from_raw(raw);
   }
 }
 

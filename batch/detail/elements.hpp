@@ -4,132 +4,110 @@
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
 
-/// Products and sums.
-template <class N>
-struct sum_results {
-  i32 values;
-  i32 bad;
-
-  template <class Part>
-  FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
-    FIXED_LANES::store<N>(out, i, values, part);
-  }
-  FIXED_LANE_FUNCTION void note(std::size_t i, std::uint32_t of, fault_recorder& found) const {
-    note_overflows<N::rules.product_range()>(bad, i, found, of);
-  }
-};
-
-template <class N>
+/// Products, and c added if `adds`.
+template <class N, bool adds>
 struct product_blocks {
   using number = N;
+  using check = u64;
   static constexpr std::size_t size = width;
-  static constexpr bool checks_later = N::rules.product_range() != overflow::wrap;
+  static constexpr overflow range = N::rules.product_range();
+  static constexpr bool in_groups = range != overflow::wrap;
+  void* out;
   const void* a;
   const void* b;
-  void* out;
+  const void* c = nullptr;
 
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION sum_results<N> at(std::size_t i, Part part) const {
-    i32 bad{};
-    const i32 values = product<N>(load<N>(a, i, part), load<N>(b, i, part), bad);
-    return {values, bad};
+  [[nodiscard]] FIXED_LANE_FUNCTION auto exact(std::size_t i, Part part) const {
+    const auto product = exact_product<N>(load<N>(a, i, part), load<N>(b, i, part));
+    if constexpr (adds) {
+      return exact_sum<N>(product, load<N>(c, i, part));
+    } else {
+      return product;
+    }
   }
-  [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, u64& sums) const {
-    return unchecked_product<N>(load<N>(a, i), load<N>(b, i), sums);
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, Part part, u64& sums) const {
+    if constexpr (range == overflow::wrap) {
+      i32 bad{};
+      return rounded_product<N>(exact(i, part), bad);
+    } else {
+      return unchecked<N>(exact(i, part), sums);
+    }
+  }
+  FIXED_LANE_FUNCTION static bool is_clean(u64 sums) { return in_range<N>(sums); }
+  template <class Part>
+  FIXED_LANE_FUNCTION void note(std::size_t i, Part part, fault_recorder& found) const {
+    i32 bad{};
+    store<N>(out, i, rounded_product<N>(exact(i, part), bad), part);
+    note_overflows<range>(bad, i, found, part.bits);
   }
 };
 
-template <class N>
-struct mul_add_blocks {
-  using number = N;
-  static constexpr std::size_t size = width;
-  static constexpr bool checks_later = N::rules.product_range() != overflow::wrap;
-  const void* a;
-  const void* b;
-  const void* c;
-  void* out;
-
-  template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION sum_results<N> at(std::size_t i, Part part) const {
-    i32 bad{};
-    const i32 values =
-        product_and_sum<N>(load<N>(a, i, part), load<N>(b, i, part), load<N>(c, i, part), bad);
-    return {values, bad};
-  }
-  [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, u64& sums) const {
-    return unchecked_product_and_sum<N>(load<N>(a, i), load<N>(b, i), load<N>(c, i), sums);
-  }
-};
+/// Records a fault for each bit of `lanes`.
+FIXED_LANE_FUNCTION void note_lanes(fault what, std::uint32_t lanes, std::size_t i,
+                                    fault_recorder& found) {
+  if (lanes != 0) found.note_bits(what, lanes, i);
+}
 
 /// Half a block of quotients.
 template <class N>
-struct quotient_results {
-  half_i32 values;
-  std::uint32_t errors;
-  std::uint32_t overflows;
-
-  template <class Part>
-  FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
-    store_half<N>(out, i, values, part);
-  }
-  FIXED_LANE_FUNCTION void note(std::size_t i, std::uint32_t of, fault_recorder& found) const {
-    if ((errors & of) != 0) [[unlikely]] {
-      found.note_bits(fault::divide_error, errors & of, i);
-    }
-    if ((overflows & of) != 0) [[unlikely]] {
-      found.note_bits(fault::overflow, overflows & of, i);
-    }
-  }
-};
-
-template <class N>
 struct quotient_blocks {
+  using number = N;
+  using check = std::uint32_t;  // the lanes with a fault
   static constexpr std::size_t size = width / 2;
-  static constexpr bool is_large = true;
-  static constexpr bool checks_later = false;
+  static constexpr bool in_groups = true;
+  void* out;
   const void* n;
   const void* d;
-  void* out;
 
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION quotient_results<N> at(std::size_t i, Part part) const {
-    quotient_results<N> results;  // NOLINT(*-pro-type-member-init): all members are set below
-    divisor_lanes divisor = divisor_of<N>(load_half<N>(d, i, part));
-    divisor.zeros &= part.bits;  // other lanes are zero, but no error
-    results.values =
-        quotient<N>(load_half<N>(n, i, part), divisor, results.errors, results.overflows);
-    return results;
+  [[nodiscard]] FIXED_LANE_FUNCTION divisor_lanes divisor(std::size_t i, Part part) const {
+    divisor_lanes lanes = divisor_of<N>(load_half<N>(d, i, part));
+    lanes.zeros &= part.bits;  // other lanes are zero, but no error
+    return lanes;
   }
-};
-
-template <class Raw>
-struct root_results {
-  i32 values;
-  std::uint32_t errors;
-
   template <class Part>
-  FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
-    FIXED_LANES::store<Raw>(out, i, values, part);
+  [[nodiscard]] FIXED_LANE_FUNCTION half_i32 at(std::size_t i, Part part,
+                                                std::uint32_t& faults) const {
+    std::uint32_t errors = 0;
+    std::uint32_t overflows = 0;
+    const half_i32 values =
+        quotient_if_any<N>(load_half<N>(n, i, part), divisor(i, part), errors, overflows);
+    faults |= errors | overflows;
+    return values;
   }
-  FIXED_LANE_FUNCTION void note(std::size_t i, std::uint32_t of, fault_recorder& found) const {
-    if ((errors & of) != 0) [[unlikely]] {
-      found.note_bits(fault::domain_error, errors & of, i);
-    }
+  FIXED_LANE_FUNCTION static bool is_clean(std::uint32_t faults) { return faults == 0; }
+  template <class Part>
+  FIXED_LANE_FUNCTION void note(std::size_t i, Part part, fault_recorder& found) const {
+    std::uint32_t errors = 0;
+    std::uint32_t overflows = 0;
+    store<N>(out, i, quotient<N>(load_half<N>(n, i, part), divisor(i, part), errors, overflows),
+             part);
+    note_lanes(fault::divide_error, errors, i, found);
+    note_lanes(fault::overflow, overflows, i, found);
   }
 };
 
 template <class Raw, int F>
 struct root_blocks {
+  using number = Raw;
+  using check = std::uint32_t;  // the lanes with a fault
   static constexpr std::size_t size = width;
-  static constexpr bool checks_later = false;
-  const void* x;
+  static constexpr bool in_groups = false;
   void* out;
+  const void* x;
 
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION root_results<Raw> at(std::size_t i, Part part) const {
+  [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, Part part, std::uint32_t& errors) const {
+    return nearest_roots<F>(load<Raw>(x, i, part), errors);
+  }
+  FIXED_LANE_FUNCTION static bool is_clean(std::uint32_t errors) { return errors == 0; }
+  template <class Part>
+  FIXED_LANE_FUNCTION void note(std::size_t i, Part part, fault_recorder& found) const {
     std::uint32_t errors = 0;
-    const i32 values = nearest_roots<F>(load<Raw>(x, i, part), errors);
-    return {values, errors};
+    store<Raw>(out, i, at(i, part, errors), part);
+    note_lanes(fault::domain_error, errors, i, found);
   }
 };
 

@@ -243,7 +243,7 @@ struct functions {
         const auto lane = static_cast<std::size_t>(std::countr_zero(unknown));
         result[lane] = Function::scalar(from[i + lane]...).raw();
       }
-      store_half<raw>(out, i, result);
+      store<raw>(out, i, result);
     }
     return i;
   }

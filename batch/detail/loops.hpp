@@ -13,32 +13,42 @@ namespace fixproof::detail::FIXED_LANES {
 
 /// The loops as a type, which on_path() passes to its callable.
 struct loops {
-  /// Computes a span with the operation of these places.
+  /// Computes a span with the operation of these places, up to a block that may have a fault.
+  /// \return the number of elements done
   template <class Operation, class... Places>
-  FIXED_ALWAYS_INLINE static std::size_t run(std::size_t count, fault_recorder& found,
-                                             Places... places) {
-#if FIXED_LANE_BYTES == 64 && FIXED_SURE_OF_AVX512
-    // The caller has these instructions, too, so one block needs no call.
-    if constexpr (!requires { Operation::is_large; }) {
-      if (count <= Operation::size) {
-        one_block(Operation{places...}, 0, first_elements(count), found);
-        return count;
+  FIXED_LANE_LOOP static std::size_t run(std::size_t done, std::size_t count, Places... places) {
+    return each_block(Operation{places...}, done, count);
+  }
+  /// The same for no more than one register. If the caller has these instructions, too, that needs
+  /// no call.
+  template <class Operation, class... Places>
+  FIXED_ALWAYS_INLINE static std::size_t run(few_blocks, std::size_t count, Places... places) {
+    if constexpr (has_masks && FIXED_SURE_OF_AVX512) {
+      constexpr std::size_t size = Operation::size;
+      const Operation operation{places...};
+      if (count <= size) return clean_block(operation, 0, first_elements(count)) ? count : 0;
+      if (count <= width && clean_block(operation, 0, whole_block{})) {
+        return clean_block(operation, size, first_elements(count - size)) ? count : size;
       }
     }
-#endif
-    return many<Operation>(count, found, places...);
+    return 0;
   }
+  /// Computes the rest of the span, and records its faults.
   template <class Operation, class... Places>
-  FIXED_LANE_LOOP static std::size_t many(std::size_t count, fault_recorder& found,
-                                          Places... places) {
-    return each_block(Operation{places...}, count, found);
+  FIXED_LANE_LOOP static std::size_t run(const recording& how, std::size_t count,
+                                         Places... places) {
+    if constexpr (std::is_same_v<typename Operation::check, no_faults>) {
+      return how.done;
+    } else {
+      return noted_blocks(Operation{places...}, how.done, count, how.found);
+    }
   }
 
   // Operations for run().
   template <class N>
-  using products = product_blocks<N>;
+  using products = product_blocks<N, false>;
   template <class N>
-  using mul_adds = mul_add_blocks<N>;
+  using mul_adds = product_blocks<N, true>;
   template <class N>
   using quotients = quotient_blocks<N>;
   template <class Raw, int F>
@@ -49,32 +59,59 @@ struct loops {
   using to_floats =
       std::conditional_t<std::is_same_v<Float, double>, to_double_blocks<N>, to_float_blocks<N>>;
 
-  /// Adds the products to `sum`, modulo 2^64 or exactly. \pre For exact sums: count <= 2^30
-  template <class Raw, class Sum>
-  FIXED_LANE_LOOP static std::size_t dot(const void* a, const void* b, std::size_t count,
-                                         Sum& sum) {
-    // Two blocks at a time have four sums, so that no addition waits for the one before it.
-    dot_sums<Sum> first;
-    dot_sums<Sum> second;
-    std::size_t i = 0;
-    for (; count - i >= 2 * width; i += 2 * width) {
-      first.add(load<Raw>(a, i), load<Raw>(b, i));
-      second.add(load<Raw>(a, i + width), load<Raw>(b, i + width));
-    }
-    if (count - i >= width) {
-      first.add(load<Raw>(a, i), load<Raw>(b, i));
-      i += width;
-    }
-    if constexpr (has_masks) {
-      if (i < count) {
-        const first_elements rest(count - i);
-        second.add(load<Raw>(a, i, rest), load<Raw>(b, i, rest));
-        i = count;
+  /// Returns the sum of the products, modulo 2^64 or exactly.
+  template <class Sum, class N>
+  FIXED_ALWAYS_INLINE static Sum dot(const N* a, const N* b, std::size_t count) {
+    if constexpr (has_masks && FIXED_SURE_OF_AVX512) {
+      if (count <= width) {
+        const first_elements some(count);
+        dot_sums<Sum> sums;
+        sums.add(load<N>(a, 0, some), load<N>(b, 0, some));
+        Sum sum{};
+        sums.add_to(sum);
+        return sum;
       }
     }
-    first.add(second);
-    first.add_to(sum);
-    return i;
+    return long_dot<Sum>(a, b, count);
+  }
+  template <class Sum, class N>
+  FIXED_LANE_LOOP static Sum long_dot(const N* a, const N* b, std::size_t count) {
+    constexpr bool is_exact = std::is_same_v<Sum, wide_sum>;
+    constexpr std::size_t most = is_exact ? std::size_t{1} << 30 : ~std::size_t{0};
+    Sum sum{};
+    std::size_t i = 0;
+    while (count - i >= (has_masks ? 1 : width)) {
+      // Two blocks at a time have four sums, so that no addition waits for the one before it.
+      dot_sums<Sum> first;
+      dot_sums<Sum> second;
+      const std::size_t end = i + (std::min)(count - i, most);
+      for (; end - i >= 2 * width; i += 2 * width) {
+        first.add(load<N>(a, i), load<N>(b, i));
+        second.add(load<N>(a, i + width), load<N>(b, i + width));
+      }
+      if (end - i >= width) {
+        first.add(load<N>(a, i), load<N>(b, i));
+        i += width;
+      }
+      if constexpr (has_masks) {
+        if (i < end) {
+          const first_elements rest(end - i);
+          second.add(load<N>(a, i, rest), load<N>(b, i, rest));
+          i = end;
+        }
+      }
+      first.add(second);
+      first.add_to(sum);
+    }
+    for (; i < count; ++i) {
+      const std::int64_t product = std::int64_t{a[i].raw()} * b[i].raw();
+      if constexpr (is_exact) {
+        sum.add(product);
+      } else {
+        sum += static_cast<std::uint64_t>(product);
+      }
+    }
+    return sum;
   }
 
   /// Does nothing if the lanes are too narrow for sums. References to pointers spare copies of
@@ -105,16 +142,14 @@ struct loops {
   template <class Raw, int F>
   FIXED_LANE_LOOP static std::size_t sines(const void* angles, void* results, std::size_t count,
                                            std::uint64_t ahead) {
-    fault_recorder none({});
-    return each_block(sine_blocks<Raw, F>{angles, results, ahead}, count, none);
+    return each_block(sine_blocks<Raw, F>{angles, results, ahead}, 0, count);
   }
 
   /// The same for cosines and sines.
   template <class Raw, int F>
   FIXED_LANE_LOOP static std::size_t sines_and_cosines(const void* angles, void* cosines,
                                                        void* sines, std::size_t count) {
-    fault_recorder none({});
-    return each_block(sine_cosine_blocks<Raw, F>{angles, {cosines, sines}}, count, none);
+    return each_block(sine_cosine_blocks<Raw, F>{angles, cosines, sines}, 0, count);
   }
 };
 

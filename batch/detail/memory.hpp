@@ -1,8 +1,9 @@
 /// \file
 /// Loads and stores of blocks; see batch/detail/lanes.hpp.
 ///
-/// `base` points to element 0. Raw may be a number or its stored integer. AVX-512 can also load and
-/// store the first elements of a block without touching the others (has_masks).
+/// `base` points to element 0. Raw may be a number, its stored integer, or the floating-point
+/// number in the lanes. AVX-512 can also load and store the first elements of a block without
+/// touching the others (has_masks).
 
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
@@ -42,7 +43,7 @@ FIXED_LANE_FUNCTION half_i32 load_half(const void* base, std::size_t index, whol
 }
 
 template <class Raw>
-FIXED_LANE_FUNCTION void store_half(void* base, std::size_t index, half_i32 x, whole_block = {}) {
+FIXED_LANE_FUNCTION void store(void* base, std::size_t index, half_i32 x, whole_block = {}) {
   void* const to = static_cast<Raw*>(base) + index;
   if constexpr (sizeof(Raw) == 4) {
     __builtin_memcpy(to, &x, sizeof x);
@@ -58,8 +59,8 @@ FIXED_LANE_FUNCTION f64 load_half_doubles(const void* base, std::size_t index, w
   return x;
 }
 
-FIXED_LANE_FUNCTION void store_half_doubles(void* base, std::size_t index, f64 x,
-                                            whole_block = {}) {
+template <class Raw>
+FIXED_LANE_FUNCTION void store(void* base, std::size_t index, f64 x, whole_block = {}) {
   __builtin_memcpy(static_cast<double*>(base) + index, &x, sizeof x);
 }
 
@@ -104,8 +105,7 @@ FIXED_LANE_FUNCTION half_i32 load_half(const void* base, std::size_t index, firs
 }
 
 template <class Raw>
-FIXED_LANE_FUNCTION void store_half(void* base, std::size_t index, half_i32 x,
-                                    first_elements some) {
+FIXED_LANE_FUNCTION void store(void* base, std::size_t index, half_i32 x, first_elements some) {
   void* const to = static_cast<Raw*>(base) + index;
   const auto mask = static_cast<__mmask8>(some.bits);
   if constexpr (sizeof(Raw) == 4) {
@@ -121,8 +121,8 @@ FIXED_LANE_FUNCTION f64 load_half_doubles(const void* base, std::size_t index,
                                static_cast<const double*>(base) + index);
 }
 
-FIXED_LANE_FUNCTION void store_half_doubles(void* base, std::size_t index, f64 x,
-                                            first_elements some) {
+template <class Raw>
+FIXED_LANE_FUNCTION void store(void* base, std::size_t index, f64 x, first_elements some) {
   _mm512_mask_storeu_pd(static_cast<double*>(base) + index, static_cast<__mmask8>(some.bits), x);
 }
 
@@ -153,6 +153,11 @@ FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x, first_eleme
 inline constexpr bool has_masks = false;
 
 #endif
+
+template <class Raw, class Part = whole_block>
+FIXED_LANE_FUNCTION void store(void* base, std::size_t index, f32 x, Part part = {}) {
+  store<std::int32_t>(base, index, i32(x), part);
+}
 
 /// Whether results go to the caches or bypass them. Only 32-bit integers can bypass them.
 enum class stores : bool { cached, past_caches };

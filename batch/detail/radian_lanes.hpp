@@ -61,65 +61,56 @@ FIXED_LANE_TARGET __attribute__((noinline)) i32 nearest_sines(i32 raw, std::uint
   return raw;
 }
 
-template <class Raw>
-struct sine_results : no_faults {
-  i32 values;
-
-  explicit FIXED_LANE_FUNCTION sine_results(i32 x) : values(x) {}
-  template <class Part>
-  FIXED_LANE_FUNCTION void store(void* out, std::size_t i, Part part) const {
-    FIXED_LANES::store<Raw>(out, i, values, part);
-  }
-};
-
 template <class Raw, int F>
-struct sine_blocks {
+struct sine_blocks : no_faults {
+  using number = Raw;
   static constexpr std::size_t size = width;
-  static constexpr bool checks_later = false;
+  static constexpr bool in_groups = false;
   const void* angles;
   void* out;
   std::uint64_t ahead;
 
+  FIXED_LANE_FUNCTION sine_blocks(const void* from, void* to, std::uint64_t turns)
+      : angles(from), out(to), ahead(turns) {}
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION sine_results<Raw> at(std::size_t i, Part part) const {
+  [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, Part part, no_faults& /*seen*/) const {
     const i32 raw = load<Raw>(angles, i, part);
     std::uint32_t doubtful = 0;
     i32 values = sines_of<F>(turns_of<F>(raw, ahead), doubtful);
     if ((doubtful & part.bits) != 0) [[unlikely]] {
       values = nearest_sines<F>(raw, ahead);
     }
-    return sine_results<Raw>(values);
+    return values;
   }
 };
 
-/// Where cosines and sines go.
+/// Cosines and sines, or where they go.
+template <class T>
 struct cosines_and_sines {
-  void* cosines;
-  void* sines;
+  T cosines;
+  T sines;
 };
 
-template <class Raw>
-struct sine_cosine_results : no_faults {
-  i32 cosines;
-  i32 sines;
-
-  FIXED_LANE_FUNCTION sine_cosine_results(i32 c, i32 s) : cosines(c), sines(s) {}
-  template <class Part>
-  FIXED_LANE_FUNCTION void store(const cosines_and_sines& out, std::size_t i, Part part) const {
-    FIXED_LANES::store<Raw>(out.sines, i, sines, part);
-    FIXED_LANES::store<Raw>(out.cosines, i, cosines, part);
-  }
-};
+template <class Raw, class Part>
+FIXED_LANE_FUNCTION void store(const cosines_and_sines<void*>& out, std::size_t i,
+                               const cosines_and_sines<i32>& x, Part part) {
+  store<Raw>(out.sines, i, x.sines, part);
+  store<Raw>(out.cosines, i, x.cosines, part);
+}
 
 template <class Raw, int F>
-struct sine_cosine_blocks {
+struct sine_cosine_blocks : no_faults {
+  using number = Raw;
   static constexpr std::size_t size = width;
-  static constexpr bool checks_later = false;
+  static constexpr bool in_groups = false;
   const void* angles;
-  cosines_and_sines out;
+  cosines_and_sines<void*> out;
 
+  FIXED_LANE_FUNCTION sine_cosine_blocks(const void* from, void* cosines, void* sines)
+      : angles(from), out{cosines, sines} {}
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION sine_cosine_results<Raw> at(std::size_t i, Part part) const {
+  [[nodiscard]] FIXED_LANE_FUNCTION cosines_and_sines<i32> at(std::size_t i, Part part,
+                                                              no_faults& /*seen*/) const {
     const i32 raw = load<Raw>(angles, i, part);
     const turn_lanes turns = turns_of<F>(raw, 0);
     std::uint32_t doubtful = 0;

@@ -127,4 +127,13 @@ class fault_recorder {
   std::span<bool> marks_;
 };
 
+/// The first stage of a batch: only what needs no call.
+struct few_blocks {};
+
+/// The elements that are done already, and the faults of the others.
+struct recording {
+  std::size_t done;
+  fault_recorder& found;
+};
+
 }  // namespace fixproof::detail

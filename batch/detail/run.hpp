@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "batch/detail/element.hpp"
 #include "batch/detail/portable.hpp"
 #include "batch/detail/report.hpp"
 #include "batch/detail/spans.hpp"
@@ -34,55 +35,79 @@ FIXED_ALWAYS_INLINE std::size_t batch_length(const batch::options& how,
   return how.marks.empty() ? count : (std::min)(count, how.marks.size());
 }
 
-FIXED_ALWAYS_INLINE std::span<bool> batch_marks(const batch::options& how,
-                                                std::size_t count) noexcept {
-  return how.marks.empty() ? how.marks : how.marks.first(count);
-}
-
-/// Runs a batch. Computes a few elements one by one. Computes more on the path of `how`, as far as
-/// it goes, and the remaining ones with the number type.
-/// \tparam few      up to this many elements are faster one by one
+/// Computes elements and records their faults: as far as the path of `how` goes, then the rest.
+/// \tparam few      up to this many elements are faster without that path
 /// \tparam has      whether the loops cover the operation
 /// \tparam O        the overflow rule of the operation
 /// \tparam Fault    the divide errors of the operation
-/// \param blocks    (loops, fault_recorder&) -> number of elements done
-/// \param element   (index) -> outcome
-/// \param store     (index, raw)
+/// \param blocks    (loops, const recording&) -> number of elements done
 /// \param rest      (number of elements done, fault_recorder&), computes the others
 /// \param operation the name in the text of an error
-template <std::size_t few, bool has, overflow O, divide_fault Fault = divide_fault::none,
-          class Blocks, class Element, class Store, class Rest>
-FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
-                                            std::size_t count, const Blocks& blocks,
-                                            const Element& element, const Store& store,
-                                            const Rest& rest) {
-  fault_recorder found(batch_marks(how, count));
-  if (count <= few) {
-    few_elements(0, count, found, element, store);
-  } else {
-    const std::size_t done =
-        on_path<has>(how.use, [&](auto loops) { return blocks(loops, found); });
-    if (done < count) rest(done, found);
+template <std::size_t few, bool has, overflow O, divide_fault Fault, class Blocks, class Rest>
+FIXED_ALWAYS_INLINE batch::report run_recorded(const char* operation, const batch::options& how,
+                                               std::size_t done, std::size_t count,
+                                               const Blocks& blocks, const Rest& rest) {
+  fault_recorder found(how.marks.empty() ? how.marks : how.marks.first(count));
+  if (count - done > few) {
+    const recording from{done, found};
+    done = (std::max)(done, on_path<has>(how.use, [&](auto on) { return blocks(on, from); }));
   }
+  if (done < count) rest(done, found);
   return found.template finish<O, Fault>(operation);
 }
 
-/// The same, with a plain loop for the remaining elements.
-template <std::size_t few, bool has, overflow O, divide_fault Fault = divide_fault::none,
-          class Blocks, class Element, class Store>
-FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
-                                            std::size_t count, const Blocks& blocks,
-                                            const Element& element, const Store& store) {
-  return run_batch<few, has, O, Fault>(operation, how, count, blocks, element, store,
-                                       [&](std::size_t done, fault_recorder& found) {
-                                         each_element(done, count, found, element, store);
-                                       });
+/// Calls what is not to be inlined. If the lambda has copies that are made only then, nothing else
+/// is in memory.
+template <class Call>
+FIXED_NOINLINE auto apart(const Call& call) {
+  return call();
 }
 
-/// Returns a function that stores a raw integer as element i of `to`.
-template <class N>
-auto store_at(N* to) noexcept {
-  return [to](std::size_t i, typename N::raw_type raw) { to[i] = N::from_raw(raw); };
+/// Returns the report of a batch without faults.
+FIXED_ALWAYS_INLINE batch::report clean_report(const batch::options& how, std::size_t count) {
+  if (!how.marks.empty()) std::fill_n(how.marks.begin(), count, false);
+  return {};
+}
+
+/// Runs a batch of elements that seldom have faults.
+/// \tparam few      up to this many elements are faster one by one
+/// \param blocks    (loops, start, count, to, from...) -> number of elements done. The start is
+///                  few_blocks, the index of an element, or a recording. Without a recording, stops
+///                  at a fault.
+/// \param element   as for each_element()
+template <std::size_t few, bool has, overflow O, divide_fault Fault = divide_fault::none,
+          class Blocks, class Element, class T, class... From>
+FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
+                                            std::size_t count, Blocks blocks, Element element,
+                                            T* to, const From*... from) {
+  std::size_t done = 0;
+  if (count <= (sure_of_masks ? few / 4 : few)) {
+    for (; done < count; ++done) {
+      const auto one = element(done, from...);
+      if (one.what != fault::none) break;
+      to[done] = stored<T>(one.raw);
+    }
+  } else if constexpr (sure_of_masks) {
+    done = on_path<has>(how.use,
+                        [&](auto on) { return blocks(on, few_blocks{}, count, to, from...); });
+  }
+  if (done == count) return clean_report(how, count);
+  // What a call is followed by is in memory only on the way to it.
+  const auto others = [&](std::size_t end, auto... kept) FIXED_INLINE {
+    (keep_in_memory(end), ..., keep_in_memory(kept));
+    done = (std::max)(
+        done, on_path<has>(how.use, [&](auto on) { return blocks(on, done, count, to, from...); }));
+    if (done == end) return clean_report(how, end);
+    return apart([=] {
+      return run_recorded<0, has, O, Fault>(
+          operation, how, done, end,
+          [=](auto on, const recording& start) { return blocks(on, start, end, kept...); },
+          [=](std::size_t i, fault_recorder& found) {
+            each_element(i, end, found, element, kept...);
+          });
+    });
+  };
+  return others(count, to, from...);
 }
 
 }  // namespace fixproof::detail

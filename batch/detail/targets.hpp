@@ -152,10 +152,13 @@ inline path best() noexcept {
 
 }  // namespace fixproof::batch
 
+namespace fixproof::detail {
+
+/// Whether one block with a mask needs no call, so that even two elements are faster together.
+inline constexpr bool sure_of_masks = FIXED_SURE_OF_AVX512 == 1;
+
 #undef FIXED_SURE_OF_AVX2
 #undef FIXED_SURE_OF_AVX512
-
-namespace fixproof::detail {
 
 /// Calls call(loops) with the loops of a path and returns its result. On the portable path and on
 /// unavailable paths, returns 0, because no element is done.

@@ -5,9 +5,24 @@
 #pragma once
 
 #if defined(__GNUC__)
-#define FIXED_ALWAYS_INLINE __attribute__((always_inline)) inline
+#define FIXED_INLINE __attribute__((always_inline))
+#define FIXED_ALWAYS_INLINE FIXED_INLINE inline
 #define FIXED_NOINLINE __attribute__((noinline))
 #else
+#define FIXED_INLINE
 #define FIXED_ALWAYS_INLINE inline
 #define FIXED_NOINLINE
 #endif
+
+namespace fixproof::detail {
+
+/// Keeps a copy in memory, from which compilers load it after a call. Else they save a register for
+/// it at the start of the function, on the way without the call, too.
+template <class T>
+FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] T& copy) noexcept {
+#if defined(__GNUC__)
+  asm("" : "+m"(copy));
+#endif
+}
+
+}  // namespace fixproof::detail
