@@ -16,10 +16,10 @@
 
 #include "batch/batch.hpp"
 #include "batch/detail/element.hpp"
-#include "batch/detail/inlining.hpp"
 #include "batch/detail/spans.hpp"
 #include "batch/detail/targets.hpp"
 #include "fixed/detail/floating.hpp"
+#include "fixed/detail/inlining.hpp"
 #include "fixed/math.hpp"
 
 namespace fixproof::detail {
