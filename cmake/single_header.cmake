@@ -25,17 +25,18 @@ list(JOIN standard_includes "" standard_includes)
 list(JOIN standard_headers "|" standard_header)
 
 # read_header(HEADER RESULT): its text, indented by tabs. It drops comments, what only a file of its own needs, and the
-# spaces that align line ends in macros. It joins a line that ends with (, a comma, an operator or template <...> with
-# the next, and puts a block of one statement on one line. Lines that continue others begin far to the right; three tabs
-# are enough for them.
+# spaces that align line ends in macros. It joins a line with the next if it ends with (, a comma, an operator or
+# template <...>, or if the next begins with : or ?. It puts a block of one statement on one line. Lines that continue
+# others begin far to the right; three tabs are enough for them.
 function(read_header header result)
   file(READ ${root}/${header} text)
-  string(REPLACE "}  // namespace fixproof::detail\n" "}@\n" text "${text}")
-  string(REGEX REPLACE " *//[^\n]*" "" text "\n${text}")
+  string(REGEX REPLACE "}  // namespace (fixproof|fixproof::detail)\n" "}@\\1@\n" text "${text}")
+  string(REGEX REPLACE " *//[^\n]*| */[*][^*\n]*[*]/" "" text "\n${text}")
   string(REGEX REPLACE "\n\n+" "\n" text "${text}")
   string(REGEX REPLACE " +\\\\\n" " \\\\\n" text "${text}")
   string(REGEX REPLACE "([(])\n +" "\\1" text "${text}")
-  string(REGEX REPLACE "(,| [=+|&?:<])\n +" "\\1 " text "${text}")
+  string(REGEX REPLACE "(,|&&| [=+|&?:</-])\n +" "\\1 " text "${text}")
+  string(REGEX REPLACE "\n +([:?] )" " \\1" text "${text}")
   string(REGEX REPLACE "{\n +([^\n#{}]+;)\n +}" "{ \\1 }" text "${text}")
   while(text MATCHES "\n\t*  ")
     string(REGEX REPLACE "(\n\t*)  " "\\1\t" text "${text}")
@@ -112,8 +113,10 @@ ${targets}${batch}
 
 #endif  // FIXED_LANES
 ")
-# Joins namespaces that one header closes and the next opens again. @ marks where a header closes one.
-string(REGEX REPLACE "}@\n+namespace fixproof::detail {\n" "" text "${text}")
-string(REPLACE "}@" "}" text "${text}")
+# Joins namespaces that one header closes and the next opens again. A name between @ marks where a header closes one.
+foreach(name fixproof fixproof::detail)
+  string(REGEX REPLACE "}@${name}@\n+namespace ${name} {\n" "" text "${text}")
+  string(REPLACE "}@${name}@" "}" text "${text}")
+endforeach()
 file(WRITE ${OUT} "${text}")
 message(STATUS "${OUT}: the library ${fixed_version} in one file")
