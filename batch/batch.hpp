@@ -71,7 +71,7 @@ multiply(const A& a, const B& b, Out&& out,
         return on.template run<typename decltype(on)::template products<N>>(args...);
       },
       [](std::size_t i, const N* p, const N* q) { return detail::multiplied(p[i], q[i]); },
-      std::data(out), std::data(a), std::data(b));
+      detail::start_of(out), detail::start_of(a), detail::start_of(b));
 }
 
 /// out[i] = mul_add(a[i], b[i], c[i]): the product and the sum, rounded once.
@@ -90,7 +90,7 @@ mul_add(const A& a, const B& b, const C& c, Out&& out,
       [](std::size_t i, const N* x, const N* y, const N* z) {
         return detail::multiplied_and_added(x[i], y[i], z[i]);
       },
-      std::data(out), std::data(a), std::data(b), std::data(c));
+      detail::start_of(out), detail::start_of(a), detail::start_of(b), detail::start_of(c));
 }
 
 /// out[i] = n[i] / d[i]. Counts every element for which try_divide returns nothing, even if
@@ -108,7 +108,7 @@ divide(const Numerators& n, const Divisors& d, Out&& out,
       [](auto on, auto... args) {
         return on.template run<typename decltype(on)::template quotients<N>>(args...);
       },
-      detail::quotient_element{}, std::data(out), std::data(n), std::data(d));
+      detail::quotient_element{}, detail::start_of(out), detail::start_of(n), detail::start_of(d));
 }
 
 /// out[i] = sqrt(x[i]). Counts negative operands under every policy.
@@ -123,8 +123,8 @@ sqrt(const X& x, Out&& out, const options& how = {}) noexcept(detail::element_t<
         return on.template run<
             typename decltype(on)::template roots<typename N::raw_type, N::fraction_bits>>(args...);
       },
-      [](std::size_t i, const N* from) { return detail::rooted(from[i]); }, std::data(out),
-      std::data(x));
+      [](std::size_t i, const N* from) { return detail::rooted(from[i]); }, detail::start_of(out),
+      detail::start_of(x));
 }
 
 /// fixproof::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum
@@ -142,7 +142,9 @@ FIXED_ALWAYS_INLINE detail::element_t<A> dot(const A& a, const B& b, path use = 
     const std::size_t count = detail::shortest(a, b);
     std::conditional_t<detail::rounds_modulo<N>, std::uint64_t, detail::wide_sum> sum{};
     const auto each = [=] { return fixproof::dot(std::span(x, count), std::span(y, count)); };
-    if (count <= (detail::sure_of_masks ? 1 : 4)) return each();
+    constexpr std::size_t few = detail::sure_of_masks ? 1 : 4;  // that are faster one by one
+    if (count <= few) return each();
+    // A loop returns at least 1, because count is above 0.
     const std::size_t done = detail::on_path<true>(use, [&](auto on) {
       sum = on.template dot<decltype(sum)>(x, y, count);
       return count;

@@ -54,7 +54,7 @@ noexcept(detail::element_t<Out>::never_throws) {
         return on.template run<typename decltype(on)::template from_floats<N, Float>>(args...);
       },
       [](std::size_t i, const Float* from) { return detail::from_float<N>(from[i]); },
-      std::data(out), std::data(x));
+      detail::start_of(out), detail::start_of(x));
 }
 
 /// out[i] = the float or double nearest to x[i], with ties to even, in every rounding mode of the
@@ -71,7 +71,7 @@ FIXED_ALWAYS_INLINE void to_floats(const X& x, Out&& out, path use = best()) noe
       [](std::size_t i, const N* from) {
         return detail::outcome<Float>{static_cast<Float>(from[i])};
       },
-      std::data(out), std::data(x));
+      detail::start_of(out), detail::start_of(x));
 }
 
 }  // namespace fixproof::batch

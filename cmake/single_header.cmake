@@ -27,7 +27,7 @@ list(JOIN standard_headers "|" standard_header)
 # read_header(HEADER RESULT): its text, indented by tabs. It drops comments, what only a file of its own needs, and the
 # spaces that align line ends in macros. It joins a line with the next if it ends with (, a comma, an operator or
 # template <...>, or if the next begins with : or ?. It puts a block of one statement on one line. Lines that continue
-# others begin far to the right; three tabs are enough for them.
+# others begin far to the right; two tabs are enough for them.
 function(read_header header result)
   file(READ ${root}/${header} text)
   string(REGEX REPLACE "}  // namespace (fixproof|fixproof::detail)\n" "}@\\1@\n" text "${text}")
@@ -41,7 +41,7 @@ function(read_header header result)
   while(text MATCHES "\n\t*  ")
     string(REGEX REPLACE "(\n\t*)  " "\\1\t" text "${text}")
   endwhile()
-  string(REGEX REPLACE "\n\t\t\t\t+ ?" "\n\t\t\t" text "${text}")
+  string(REGEX REPLACE "\n\t\t\t+ ?" "\n\t\t" text "${text}")
   string(REGEX REPLACE "(\n\t+template <[^\n]+>)\n\t+" "\\1 " text "${text}")
   string(REPLACE "\n#pragma once\n" "\n" text "${text}")
   string(REGEX REPLACE "\n#include <(${standard_header})>" "" text "${text}")

@@ -2,8 +2,8 @@
 /// The rules of fixed/policy.hpp, applied to blocks of numbers; see batch/detail/lanes.hpp.
 ///
 /// A function sets a lane of `bad` to ones if its result is out of range, and leaves it unchanged
-/// otherwise. It assigns `errors` and `overflows`, which have a bit set for each lane that has no
-/// result or a result out of range.
+/// otherwise. Quotients assign `errors` and `overflows`, which have a bit set for each lane that
+/// has no result or a result out of range. Roots add bits to `errors`.
 
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
@@ -310,17 +310,20 @@ FIXED_LANE_FUNCTION i32 nearest_roots(i32 x, std::uint32_t& errors) {
   return nearest & ~(nearest >> 31);
 }
 
+/// Records a fault for each bit of `lanes`.
+FIXED_LANE_FUNCTION void note_lanes(fault what, std::uint32_t lanes, std::size_t index,
+                                    fault_recorder& found) {
+  if (lanes != 0) [[unlikely]] {
+    found.note_bits(what, lanes, index);
+  }
+}
+
 /// Records an overflow for each lane that is set in `bad` and whose bit is set in `of`. Does
 /// nothing under overflow::wrap.
 template <overflow O>
 FIXED_LANE_FUNCTION void note_overflows(i32 bad, std::size_t index, fault_recorder& found,
                                         std::uint32_t of = ~0U) {
-  if constexpr (O != overflow::wrap) {
-    const std::uint32_t out = bits(bad) & of;
-    if (out != 0) [[unlikely]] {
-      found.note_bits(fault::overflow, out, index);
-    }
-  }
+  if constexpr (O != overflow::wrap) note_lanes(fault::overflow, bits(bad) & of, index, found);
 }
 
 }  // namespace fixproof::detail::FIXED_LANES

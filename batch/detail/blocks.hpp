@@ -1,22 +1,25 @@
 /// \file
 /// Runs an operation over a span in blocks; see batch/detail/lanes.hpp.
 ///
-/// An operation of batch/detail/elements.hpp or batch/detail/conversion_lanes.hpp has
+/// An operation of batch/detail/elements.hpp, batch/detail/conversion_lanes.hpp or
+/// batch/detail/radian_lanes.hpp has
 ///
 ///     using number;                             // what it stores, for store()
 ///     using check;                              // collects what is_clean() tests
 ///     static constexpr std::size_t size;        // elements of a block
 ///     static constexpr bool in_groups;          // whether four blocks at a time are faster
+///     out                                       // where results go, for store()
 ///     results at(std::size_t i, part, check&) const;  // of the elements from i on
 ///     static bool is_clean(check);              // whether all results are right and have no fault
 ///     void note(std::size_t i, part, fault_recorder&) const;  // computes, stores, records faults
 ///
-/// An operation that may be inexact in some rounding mode of the processor also has
+/// An operation whose check is no_faults has no note(). An operation that may be inexact in some
+/// rounding mode of the processor also has
 ///
 ///     static bool is_exact();
 ///
-/// Most spans have no fault. So the loops stop before the first block that may have one. They call
-/// nothing, and need no stack. What notes faults is apart from them.
+/// Most spans have no fault. So the loops stop before the first block that may have one, and keep
+/// no report. Only sines call a function in the loop. noted_blocks() records faults.
 
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
@@ -94,15 +97,16 @@ FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size
   }
 }
 
-/// Computes the elements from `i` on, and records their faults. Up to four blocks at a time: after
-/// a fault, and then as far as each_block() finds none.
+/// Computes the elements from `i` on, and records their faults. Notes four blocks after a fault,
+/// then goes on as far as each_block() finds none. Notes up to 16 where faults are frequent.
 /// \return the first element that is left: `count`, or one that does not fill a block without masks
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t noted_blocks(const Operation& operation, std::size_t i,
                                              std::size_t count, fault_recorder& found) {
   constexpr std::size_t size = Operation::size;
+  std::size_t blocks = 4;
   while (count - i >= (has_masks ? 1 : size)) {
-    for (int k = 0; k < 4 && count - i >= size; ++k, i += size) {
+    for (std::size_t k = 0; k < blocks && count - i >= size; ++k, i += size) {
       operation.note(i, whole_block{}, found);
     }
     if constexpr (has_masks) {
@@ -111,7 +115,10 @@ FIXED_LANE_FUNCTION std::size_t noted_blocks(const Operation& operation, std::si
         return count;
       }
     }
-    i = each_block(operation, i, count);
+    const std::size_t next = each_block(operation, i, count);
+    // Where faults are frequent, each_block() mostly stops at once, so it is tried less often.
+    blocks = next == i ? (std::min)(2 * blocks, std::size_t{16}) : 4;
+    i = next;
   }
   return i;
 }

@@ -70,7 +70,7 @@ struct from_float_blocks {
   void* out;
   const void* x;
 
-  /// The lanes that note() computes.
+  /// The lanes that note() computes one by one.
   FIXED_LANE_FUNCTION static std::uint32_t missing(check seen) {
     if constexpr (by_words) {
       return bits_equal(seen, (limits::min)());
@@ -108,7 +108,7 @@ struct from_float_blocks {
   }
 };
 
-/// Results that have no faults.
+/// What operations without faults have in common.
 struct no_faults {
   using check = no_faults;
   static constexpr bool in_groups = true;

@@ -121,7 +121,7 @@ void missing_from_floats(const void* from, void* to, std::size_t i, std::uint32_
   }
 }
 
-/// A stored integer as a number, or a floating-point number.
+/// Returns a stored integer as a number T, or a floating-point number as it is.
 template <class T, class Raw>
 constexpr T stored(Raw raw) noexcept {
   if constexpr (std::is_floating_point_v<T>) {

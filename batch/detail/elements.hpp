@@ -44,12 +44,6 @@ struct product_blocks {
   }
 };
 
-/// Records a fault for each bit of `lanes`.
-FIXED_LANE_FUNCTION void note_lanes(fault what, std::uint32_t lanes, std::size_t i,
-                                    fault_recorder& found) {
-  if (lanes != 0) found.note_bits(what, lanes, i);
-}
-
 /// Half a block of quotients.
 template <class N>
 struct quotient_blocks {

@@ -2,7 +2,8 @@
 /// The loops of batch/batch.hpp and batch/radian.hpp over whole blocks; see
 /// batch/detail/lanes.hpp.
 ///
-/// Each loop returns the number of elements done, and leaves the rest to the caller.
+/// Each loop except that of dot returns the number of elements done, and leaves the rest to the
+/// caller.
 
 #if defined(FIXED_LANES)
 // Loops of many blocks are never inlined, so that their callers are small and therefore fast for
@@ -33,7 +34,8 @@ struct loops {
     }
     return 0;
   }
-  /// Computes the rest of the span, and records its faults.
+  /// Computes the elements from how.done on, and records their faults.
+  /// \return as run() above
   template <class Operation, class... Places>
   FIXED_LANE_LOOP static std::size_t run(const recording& how, std::size_t count,
                                          Places... places) {
@@ -77,6 +79,7 @@ struct loops {
   template <class Sum, class N>
   FIXED_LANE_LOOP static Sum long_dot(const N* a, const N* b, std::size_t count) {
     constexpr bool is_exact = std::is_same_v<Sum, wide_sum>;
+    // dot_sums<wide_sum> holds 2^30 products.
     constexpr std::size_t most = is_exact ? std::size_t{1} << 30 : ~std::size_t{0};
     Sum sum{};
     std::size_t i = 0;

@@ -127,7 +127,7 @@ class fault_recorder {
   std::span<bool> marks_;
 };
 
-/// The first stage of a batch: only what needs no call.
+/// Asks run() for the first blocks only, and for no call.
 struct few_blocks {};
 
 /// The elements that are done already, and the faults of the others.

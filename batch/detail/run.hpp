@@ -40,6 +40,7 @@ FIXED_ALWAYS_INLINE std::size_t batch_length(const batch::options& how,
 /// \tparam has      whether the loops cover the operation
 /// \tparam O        the overflow rule of the operation
 /// \tparam Fault    the divide errors of the operation
+/// \param done      the number of elements that are done already
 /// \param blocks    (loops, const recording&) -> number of elements done
 /// \param rest      (number of elements done, fault_recorder&), computes the others
 /// \param operation the name in the text of an error
@@ -56,8 +57,8 @@ FIXED_ALWAYS_INLINE batch::report run_recorded(const char* operation, const batc
   return found.template finish<O, Fault>(operation);
 }
 
-/// Calls what is not to be inlined. If the lambda has copies that are made only then, nothing else
-/// is in memory.
+/// Calls a lambda, and is never inlined. The lambda must capture copies: references would keep the
+/// originals in memory on every way through the caller.
 template <class Call>
 FIXED_NOINLINE auto apart(const Call& call) {
   return call();
@@ -69,8 +70,17 @@ FIXED_ALWAYS_INLINE batch::report clean_report(const batch::options& how, std::s
   return {};
 }
 
+/// Keeps a copy in memory. Compilers load it from there after a call. Otherwise they save a
+/// register for it when the function starts, even if the call is not made.
+template <class T>
+FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] T& copy) noexcept {
+#if defined(__GNUC__)
+  asm("" : "+m"(copy));
+#endif
+}
+
 /// Runs a batch of elements that seldom have faults.
-/// \tparam few      up to this many elements are faster one by one
+/// \tparam few      up to this many elements are faster one by one; a quarter if masks need no call
 /// \param blocks    (loops, start, count, to, from...) -> number of elements done. The start is
 ///                  few_blocks, the index of an element, or a recording. Without a recording, stops
 ///                  at a fault.
@@ -80,19 +90,21 @@ template <std::size_t few, bool has, overflow O, divide_fault Fault = divide_fau
 FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
                                             std::size_t count, Blocks blocks, Element element,
                                             T* to, const From*... from) {
+  // With masks, the first blocks need no call. They replace all but a quarter of the plain loop.
+  constexpr bool blocks_first = has && sure_of_masks;
   std::size_t done = 0;
-  if (count <= (sure_of_masks ? few / 4 : few)) {
+  if (count <= (blocks_first ? few / 4 : few)) {
     for (; done < count; ++done) {
       const auto one = element(done, from...);
       if (one.what != fault::none) break;
       to[done] = stored<T>(one.raw);
     }
-  } else if constexpr (sure_of_masks) {
+  } else if constexpr (blocks_first) {
     done = on_path<has>(how.use,
                         [&](auto on) { return blocks(on, few_blocks{}, count, to, from...); });
   }
   if (done == count) return clean_report(how, count);
-  // What a call is followed by is in memory only on the way to it.
+  // The code after a call uses copies. Only the way to the call stores them in memory.
   const auto others = [&](std::size_t end, auto... kept) FIXED_INLINE {
     (keep_in_memory(end), ..., keep_in_memory(kept));
     done = (std::max)(

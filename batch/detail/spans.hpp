@@ -49,6 +49,12 @@ template <class Range, class N, std::size_t size>
 concept output_tuples_of = tuples_of<Range, N, size> &&
     !std::is_const_v<std::remove_reference_t<decltype(*std::data(std::declval<Range&>()))>>;
 
+/// Returns a pointer to the first element, also if data() returns a class that converts to one.
+template <class Range>
+FIXED_ALWAYS_INLINE constexpr auto* start_of(Range& range) noexcept {
+  return static_cast<std::remove_reference_t<decltype(*std::data(range))>*>(std::data(range));
+}
+
 /// Returns the length of the shortest range. Sizes may be signed, as in Qt. Compares two at a time,
 /// because GCC 12 keeps a list of sizes in memory.
 template <class First, class... Others>

@@ -83,7 +83,8 @@ inline constexpr bool has_root_lanes =
 #else
 #define FIXED_SURE_OF_AVX2 false
 #endif
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#if defined(FIXED_BATCH_X86) && defined(__AVX512F__) && defined(__AVX512BW__) && \
+    defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define FIXED_SURE_OF_AVX512 1
 #else
 #define FIXED_SURE_OF_AVX512 0
@@ -154,7 +155,8 @@ inline path best() noexcept {
 
 namespace fixproof::detail {
 
-/// Whether one block with a mask needs no call, so that even two elements are faster together.
+/// Whether the first blocks need no call, because the flags promise masks. Then even two elements
+/// are faster together.
 inline constexpr bool sure_of_masks = FIXED_SURE_OF_AVX512 == 1;
 
 #undef FIXED_SURE_OF_AVX2

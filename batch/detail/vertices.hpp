@@ -339,17 +339,13 @@ FIXED_LANE_FUNCTION void project_block(const block_of_vertices& v, i32 constant,
   x = product<N>(x, constant, bad);
   y = product<N>(y, constant, bad);
   const std::uint32_t no_quotient = errors[0] | errors[2] | (errors[1] | errors[3]) << (width / 2);
-  if (no_quotient != 0) [[unlikely]] {
-    found.note_bits(fault::divide_error, no_quotient, index);
-  }
+  note_lanes(fault::divide_error, no_quotient, index, found);
   constexpr policy P = N::rules;
   if constexpr (P.quotient_range() != overflow::wrap || P.product_range() != overflow::wrap) {
     const std::uint32_t out =
         (overflows[0] | overflows[2] | (overflows[1] | overflows[3]) << (width / 2) | bits(bad)) &
         ~no_quotient;
-    if (out != 0) [[unlikely]] {
-      found.note_bits(fault::overflow, out, index);
-    }
+    note_lanes(fault::overflow, out, index, found);
   }
 }
 

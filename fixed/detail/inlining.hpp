@@ -13,16 +13,3 @@
 #define FIXED_ALWAYS_INLINE inline
 #define FIXED_NOINLINE
 #endif
-
-namespace fixproof::detail {
-
-/// Keeps a copy in memory, from which compilers load it after a call. Else they save a register for
-/// it at the start of the function, on the way without the call, too.
-template <class T>
-FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] T& copy) noexcept {
-#if defined(__GNUC__)
-  asm("" : "+m"(copy));
-#endif
-}
-
-}  // namespace fixproof::detail

@@ -129,8 +129,9 @@ void check_to() {
   for (const Number n : x) want.push_back(static_cast<Float>(n));
   for (const auto path : paths()) {
     for (const int mode : RoundingMode::all) {
-      for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{5}, std::size_t{8},
-                                  std::size_t{23}, x.size()}) {
+      std::vector<std::size_t> counts{x.size()};
+      for (std::size_t n = 0; n <= 40; ++n) counts.push_back(n);
+      for (const std::size_t n : counts) {
         Guarded<Float> out(n);
         {
           const RoundingMode set(mode);

@@ -264,6 +264,24 @@ TEST(Lengths, MayHaveASign) {
   EXPECT_EQ((std::array{x[19], out.data()[19], x[20]}), (std::array{N(3), N(9), N()}));
 }
 
+/// A view whose data() returns a class that converts to a pointer, such as one that is never null.
+struct View {
+  struct Pointer {
+    q16_16* to;
+    operator q16_16*() const { return to; }  // NOLINT(*-explicit-conversions): as such classes do
+  };
+  std::vector<q16_16>& numbers;
+
+  [[nodiscard]] Pointer data() const { return {numbers.data()}; }
+  [[nodiscard]] std::size_t size() const { return numbers.size(); }
+};
+
+TEST(Ranges, MayHavePointersOfAClass) {
+  std::vector x{q16_16(2), q16_16(3)};
+  fixproof::batch::multiply(View{x}, View{x}, View{x});
+  EXPECT_EQ(x, (std::vector{q16_16(4), q16_16(9)}));
+}
+
 TEST(Outputs, MayBeInputs) {
   const auto a = operands<q16_16>(100, 1);
   const auto b = operands<q16_16>(100, 2);

@@ -129,6 +129,33 @@ TYPED_TEST(Spans, MayBeOneSpan) {
   }
 }
 
+// One element with a fault among many without one. Blocks before it are stored before its own is
+// tested, and the output is an input.
+TYPED_TEST(Spans, MayBeOneSpanWithOneFault) {
+  using N = TypeParam;
+  using limits = std::numeric_limits<N>;
+  for (const auto& o : operations<N>()) {
+    for (std::size_t n = 1; n <= 70; ++n) {
+      for (std::size_t at = 0; at < n; ++at) {
+        for (const N second : {N(), limits::lowest()}) {
+          std::vector<N> a(n, N(2));
+          std::vector<N> b(n, N(1.5));
+          a[at] = limits::lowest();
+          b[at] = second;
+          std::vector<Expected<N>> want;
+          for (std::size_t i = 0; i < n; ++i) want.push_back(o.one(a[i], b[i]));
+          for (const auto path : paths()) {
+            auto x = a;
+            check<N>(o, x, b, x, want, path);
+            auto y = b;
+            check<N>(o, a, y, y, want, path);
+          }
+        }
+      }
+    }
+  }
+}
+
 // One product just beyond the range among many within it.
 TYPED_TEST(Spans, WithOneOverflow) {
   using raw = typename TypeParam::raw_type;
