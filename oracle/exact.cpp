@@ -10,37 +10,41 @@ namespace {
 /// The 386 divides the magnitudes as unsigned integers and ignores the sign bit, so only a quotient
 /// too wide for an unsigned word faults, before rounding.
 std::optional<Word> i386_rounded(Word n, Word d, int fraction_bits) {
-  const auto truncated = exact_quotient(n, d, Rounding::truncate, fraction_bits);
-  if (!truncated || abs(*truncated) >= Integer(1) << word_bits(fraction_bits)) return std::nullopt;
+  const auto truncated = exact_quotient<Wide>(n, d, Rounding::truncate, fraction_bits);
+  if (!truncated || abs(*truncated) >= Wide(1) << word_bits(fraction_bits)) return std::nullopt;
   return quotient(n, d, Rounding::half_away, fraction_bits);
 }
 
 std::optional<Word> i386_unrounded(Word n, Word d, int fraction_bits) {
-  const auto truncated = exact_quotient(n, d, Rounding::truncate, fraction_bits);
-  if (!truncated || !fits(*truncated, word_bits(fraction_bits))) return std::nullopt;
-  return wrap(*truncated, word_bits(fraction_bits));
+  const auto truncated = exact_quotient<Wide>(n, d, Rounding::truncate, fraction_bits);
+  if (!truncated || !fits<Wide>(*truncated, word_bits(fraction_bits))) return std::nullopt;
+  return wrap<Wide>(*truncated, word_bits(fraction_bits));
 }
 
 /// The 8088 divides by the whole part of the divisor's magnitude, so the quotient has the scale of
 /// n.
 std::optional<Word> i8088(Word n, Word d, Rounding rule, int fraction_bits) {
-  const Integer units = rounded(ulps(d, fraction_bits), one(fraction_bits), Rounding::truncate);
+  const Wide units =
+      rounded<Wide>(ulps<Wide>(d, fraction_bits), one<Wide>(fraction_bits), Rounding::truncate);
   if (units == 0) return std::nullopt;
-  return wrap(rounded(ulps(n, fraction_bits), units, rule), word_bits(fraction_bits));
+  return wrap<Wide>(rounded<Wide>(ulps<Wide>(n, fraction_bits), units, rule),
+                    word_bits(fraction_bits));
 }
 
 }  // namespace
 
 Word add(Word a, Word b, int fraction_bits) {
-  return wrap(ulps(a, fraction_bits) + ulps(b, fraction_bits), word_bits(fraction_bits));
+  return wrap<Wide>(ulps<Wide>(a, fraction_bits) + ulps<Wide>(b, fraction_bits),
+                    word_bits(fraction_bits));
 }
 
 Word sub(Word a, Word b, int fraction_bits) {
-  return wrap(ulps(a, fraction_bits) - ulps(b, fraction_bits), word_bits(fraction_bits));
+  return wrap<Wide>(ulps<Wide>(a, fraction_bits) - ulps<Wide>(b, fraction_bits),
+                    word_bits(fraction_bits));
 }
 
 Word mul(Word a, Word b, Rounding rule, int fraction_bits) {
-  return wrap(exact_product(a, b, rule, fraction_bits), word_bits(fraction_bits));
+  return wrap<Wide>(exact_product<Wide>(a, b, rule, fraction_bits), word_bits(fraction_bits));
 }
 
 std::optional<Word> div(Word n, Word d, DivideRule rule, int fraction_bits) {
@@ -58,9 +62,9 @@ std::optional<Word> div(Word n, Word d, DivideRule rule, int fraction_bits) {
 }
 
 std::optional<Word> quotient(Word n, Word d, Rounding rule, int fraction_bits) {
-  const auto exact = exact_quotient(n, d, rule, fraction_bits);
+  const auto exact = exact_quotient<Wide>(n, d, rule, fraction_bits);
   if (!exact) return std::nullopt;
-  return wrap(*exact, word_bits(fraction_bits));
+  return wrap<Wide>(*exact, word_bits(fraction_bits));
 }
 
 Word mul_add(Word a, Word b, Word c, Rounding rule, int fraction_bits) {

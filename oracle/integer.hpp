@@ -20,4 +20,8 @@ namespace oracle {
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                               boost::multiprecision::et_off>;
 
+/// An integer of a sign and at least 127 bits. A result that needs more throws, so every result is
+/// exact.
+using Wide = boost::multiprecision::checked_int128_t;
+
 }  // namespace oracle

@@ -28,11 +28,18 @@ testing::AssertionResult agree(Word a, Word b, int fraction_bits) {
   for (std::size_t i = 0; i < test::kRoundings.size(); ++i) {
     const Rounding rule = test::kRoundings[i];
     const Integer product = exact_product(a, b, rule, fraction_bits);
+    if (product != Integer(exact_product<Wide>(a, b, rule, fraction_bits))) {
+      return differ("product in Wide", i);
+    }
     if (product != fast::exact_product(a, b, rule, fraction_bits)) return differ("product", i);
     if (mul(a, b, rule, fraction_bits) != fast::mul(a, b, rule, fraction_bits)) {
       return differ("mul", i);
     }
     const auto exact = exact_quotient(a, b, rule, fraction_bits);
+    const auto wide = exact_quotient<Wide>(a, b, rule, fraction_bits);
+    if (exact.has_value() != wide.has_value() || (exact && *exact != Integer(*wide))) {
+      return differ("exact quotient in Wide", i);
+    }
     const auto quick = fast::exact_quotient(a, b, rule, fraction_bits);
     if (exact.has_value() != quick.has_value() || (exact && *exact != *quick)) {
       return differ("exact quotient", i);
@@ -123,9 +130,12 @@ TEST_P(OracleFastByFormat, AgreesOnRoots) {
     ASSERT_EQ(fast::sqrt(word, GetParam()), sqrt(word, GetParam())) << word;
     for (const Rounding rule : test::kRoundings) {
       const auto exact = exact_root(word, rule, GetParam());
+      const auto wide = exact_root<Wide>(word, rule, GetParam());
       const auto quick = fast::exact_root(word, rule, GetParam());
+      ASSERT_EQ(exact.has_value(), wide.has_value()) << word;
       ASSERT_EQ(exact.has_value(), quick.has_value()) << word;
       if (exact) {
+        ASSERT_EQ(*exact, Integer(*wide)) << word;
         ASSERT_EQ(*exact, *quick) << word;
       }
     }

@@ -55,6 +55,28 @@ TEST(OracleRounding, NeedsADenominator) {
   EXPECT_THROW((void)rounded(1, 0, Rounding::floor), std::domain_error);
 }
 
+TEST(OracleRounding, ObeysTheInequalitiesInWideToo) {
+  for (const Rounding rule : test::kRoundings) {
+    for (int d = 1; d <= 12; ++d) {
+      for (int n = -60; n <= 60; ++n) {
+        const int q = static_cast<int>(rounded<Wide>(n, d, rule));
+        EXPECT_TRUE(defined_by_rule(q, n, d, rule)) << n << " / " << d << " gave " << q;
+      }
+    }
+  }
+}
+
+TEST(OracleWide, ThrowsWhereAResultDoesNotFit) {
+  const Wide most = std::numeric_limits<Wide>::max();
+  EXPECT_GE(Integer(most), (Integer(1) << 127) - 1);
+  EXPECT_THROW((void)(most + 1), std::runtime_error);
+  EXPECT_THROW((void)(-most - 1), std::runtime_error);
+  EXPECT_THROW((void)(most * 2), std::runtime_error);
+  EXPECT_THROW((void)rounded<Wide>(most, 1, Rounding::half_up), std::runtime_error);
+  EXPECT_THROW((void)rounded<Wide>(1, most, Rounding::half_even), std::runtime_error);
+  EXPECT_EQ(rounded<Wide>(most, 1, Rounding::floor), most);
+}
+
 TEST(OracleWord, IsReadAsTwosComplementOfItsFormat) {
   EXPECT_EQ(ulps(0x7fffffff, 16), 2147483647);
   EXPECT_EQ(ulps(0x80000000, 16), Integer("-2147483648"));
@@ -72,6 +94,25 @@ TEST(OracleWord, WrapIsTheResidueModuloThePowerOfTwo) {
   EXPECT_EQ(wrap(-1, 16), 0xffffU);
   EXPECT_EQ(wrap(-65536, 16), 0U);
   EXPECT_EQ(wrap(-65537, 16), 0xffffU);
+}
+
+TEST(OracleWord, IsTheSameInWide) {
+  for (const int bits : {4, 5, 16, 31, 32}) {
+    const Integer limit = Integer(1) << (bits - 1);
+    for (const Integer& centre : {Integer(0), limit, -limit, 2 * limit}) {
+      for (int offset = -2; offset <= 2; ++offset) {
+        const Integer value = centre + offset;
+        EXPECT_EQ(wrap<Wide>(Wide(value), bits), wrap(value, bits)) << value;
+        EXPECT_EQ(fits<Wide>(Wide(value), bits), fits(value, bits)) << value;
+      }
+    }
+  }
+  for (int fraction_bits = 2; fraction_bits <= 16; ++fraction_bits) {
+    EXPECT_EQ(Integer(one<Wide>(fraction_bits)), one(fraction_bits));
+    for (const Word word : {0U, 7U, 8U, 0x7fffU, 0x8000U, 0xabcd0180U, 0x7fffffffU, 0x80000000U}) {
+      EXPECT_EQ(Integer(ulps<Wide>(word, fraction_bits)), ulps(word, fraction_bits)) << word;
+    }
+  }
 }
 
 TEST(OracleWord, FitsAtTheEdgesOfTheRange) {

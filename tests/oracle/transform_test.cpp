@@ -76,6 +76,26 @@ TEST(OracleConcat, RoundsEveryProductOnItsOwn) {
   EXPECT_EQ(row(Rounding::truncate), (Row{0, 0, 0, 9}));
 }
 
+// Worked by hand: each product is exact, 2^46 or -2^46 + 2^15 ulps.
+TEST(OracleConcat, HoldsTheLargestSums) {
+  constexpr Word least = 0x80000000;
+  Transform all_least{};
+  all_least.fill(least);
+  Transform all_most{};
+  all_most.fill(0x7fffffff);
+  for (const Rounding rule : test::kRoundings) {
+    for (const auto translation : {TranslationRule::fourth, TranslationRule::fourth_in_parts}) {
+      EXPECT_EQ(concat(all_least, all_least, rule, translation, 16),
+                (Transform{0, 0, 0, least, 0, 0, 0, least, 0, 0, 0, least}));
+    }
+    Transform expected{};
+    expected.fill(0x80018000);
+    EXPECT_EQ(concat(all_least, all_most, rule, TranslationRule::every, 16), expected);
+    EXPECT_EQ(xform_vec(all_least, Vector{least, least, least}, rule, 16),
+              (Vector{least, least, least}));
+  }
+}
+
 // Worked by hand: the identity with the second translation, then with the first.
 TEST(OracleConcat, InPartsLosesTheCarryOfTheFractions) {
   struct Case {
