@@ -144,7 +144,7 @@ FIXED_ALWAYS_INLINE detail::element_t<A> dot(const A& a, const B& b, path use = 
     const auto each = [=] { return fixproof::dot(std::span(x, count), std::span(y, count)); };
     constexpr std::size_t few = detail::sure_of_masks ? 1 : 4;  // that are faster one by one
     if (count <= few) return each();
-    // A loop returns at least 1, because count is above 0.
+    // The result is 0 only if there is no loop for the path, because count is above 0.
     const std::size_t done = detail::on_path<true>(use, [&](auto on) {
       sum = on.template dot<decltype(sum)>(x, y, count);
       return count;

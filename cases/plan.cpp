@@ -23,7 +23,7 @@ struct Share {
 };
 
 /// The number of random cases per stream at level 1. Level 1 must take less than 20 s on two slow
-/// processors. The oracle takes 0.04 us for a product, 1 us for a concat, 4 us for a sine.
+/// processors, so operations that take the oracle longer have fewer cases.
 std::uint64_t sample_of(Operation operation) {
   switch (operation) {
     case Operation::mul:

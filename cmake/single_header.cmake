@@ -26,8 +26,8 @@ list(JOIN standard_headers "|" standard_header)
 
 # read_header(HEADER RESULT): its text, indented by tabs. It drops comments, what only a file of its own needs, and the
 # spaces that align line ends in macros. It joins a line with the next if it ends with (, a comma, an operator or
-# template <...>, or if the next begins with : or ?. It puts a block of one statement on one line. Lines that continue
-# others begin far to the right; two tabs are enough for them.
+# template <...>, or if the next begins with : or ?. It puts a block of one statement on one line. It shortens
+# indents of more than two tabs to two, because lines that continue others begin far to the right.
 function(read_header header result)
   file(READ ${root}/${header} text)
   string(REGEX REPLACE "}  // namespace (fixproof|fixproof::detail)\n" "}@\\1@\n" text "${text}")

@@ -20,8 +20,8 @@ namespace oracle {
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                               boost::multiprecision::et_off>;
 
-/// An integer of a sign and at least 127 bits. A result that needs more throws, so every result is
-/// exact.
+/// An integer with a sign and at least 127 bits. An operation throws if its result needs more bits,
+/// so no result wraps.
 using Wide = boost::multiprecision::checked_int128_t;
 
 }  // namespace oracle

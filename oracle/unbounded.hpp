@@ -7,18 +7,19 @@
 #include "oracle/integer.hpp"
 #include "oracle/rule.hpp"
 
-/// Results before reduction to a word: integers of any size in ulps, for judging wrapping,
-/// saturating and trapping types. Every function that takes `fraction_bits` throws
+/// Results before reduction to a word: integers in ulps, for judging wrapping, saturating and
+/// trapping types. Every function that takes `fraction_bits` throws
 /// std::invalid_argument unless it is 2 ... 16.
 ///
-/// `Int` is Integer or Wide. Wide is several times faster and throws if a step does not fit. For
-/// words every step fits: they have at most 2^31 ulps and 1.0 has at most 2^16, so the largest step
-/// is that of a product, 2 |a b| + 1.0 <= 2^63 + 2^16.
+/// `Int` is Integer, which has any size, or Wide, which is faster and throws if an intermediate
+/// result does not fit. Every intermediate result of words fits. A word has at most 2^31 ulps, and
+/// 1.0 has at most 2^16. The largest intermediate result is that of a product:
+/// 2 |a b| + 1.0 <= 2^63 + 2^16.
 namespace oracle {
 
 /// numerator / denominator rounded to an integer. The denominator may have either sign; throws
-/// std::domain_error if it is 0. The largest step is 2 |numerator| + |denominator|, or twice the
-/// denominator.
+/// std::domain_error if it is 0. The largest intermediate result is 2 |numerator| + |denominator|
+/// or 2 |denominator|.
 template <class Int = Integer>
 [[nodiscard]] Int rounded(const std::type_identity_t<Int>& numerator,
                           const std::type_identity_t<Int>& denominator, Rounding rule);

@@ -78,13 +78,13 @@ FIXED_LANE_FUNCTION i32 narrowed(i64 even, i64 odd, i32& bad) {
 
 FIXED_LANE_FUNCTION i64 odd_lanes(i32 x) { return i64(u64(x) >> 32); }
 
-/// Sums in ulp times 2^F, in even and odd lanes.
+/// Products or sums in units of 2^-F ulp, of the even lanes and of the odd lanes.
 struct wide_lanes {
   i64 even;
   i64 odd;
 };
 
-/// Exact products: of 16 bits in lanes of 32 bits, of 32 bits in wide lanes.
+/// Returns exact products: of 16-bit numbers in 32-bit lanes, of 32-bit numbers in wide lanes.
 template <class N>
 FIXED_LANE_FUNCTION auto exact_product(i32 a, i32 b) {
   if constexpr (sizeof(N) == 2) {
@@ -139,7 +139,7 @@ FIXED_LANE_FUNCTION i32 unchecked(i32 sum, u64& sums) {
   return sum ^ half_range;
 }
 
-/// The same to 32 bits.
+/// Rounds sums in wide lanes, and wraps them to 32 bits. All of each lane is valid.
 template <class N>
 FIXED_LANE_FUNCTION i32 unchecked(wide_lanes sum, u64& sums) {
   constexpr int F = N::fraction_bits;
@@ -151,7 +151,7 @@ FIXED_LANE_FUNCTION i32 unchecked(wide_lanes sum, u64& sums) {
   return middle<F>(i64(even), i64(odd)) ^ (std::numeric_limits<std::int32_t>::min)();
 }
 
-/// Tells whether all results were in range, or the range does not matter.
+/// Tells whether all results were in range. Always true under overflow::wrap.
 template <class N>
 FIXED_LANE_FUNCTION bool in_range(u64 sums) {
   if constexpr (N::rules.product_range() == overflow::wrap) {

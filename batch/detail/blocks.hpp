@@ -18,13 +18,16 @@
 ///
 ///     static bool is_exact();
 ///
-/// Most spans have no fault. So the loops stop before the first block that may have one, and keep
-/// no report. Only sines call a function in the loop. noted_blocks() records faults.
+/// Most spans have no fault. So the loops keep no report, and stop before the first blocks that may
+/// have one. noted_blocks() computes those again and records their faults. Only the loops of sines
+/// call a function; the others need no stack.
 
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
 
-/// Computes a block if it has no fault. Else stores nothing, because an output may be an input.
+/// Computes a block, and stores it unless it may have a fault. noted_blocks() computes such a block
+/// again, and needs its operands: an output may be an input.
+/// \return whether the block is stored
 template <class Operation, class Part>
 FIXED_LANE_FUNCTION bool clean_block(const Operation& operation, std::size_t i, Part part) {
   typename Operation::check seen{};
@@ -36,8 +39,8 @@ FIXED_LANE_FUNCTION bool clean_block(const Operation& operation, std::size_t i, 
   return true;
 }
 
-/// Computes blocks from `i` up to `end`, or up to one that may have a fault.
-/// \return where it stops
+/// Computes blocks from `i` up to `end`, or up to a block or group of four that may have a fault.
+/// \return the first element that is left
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::size_t i,
                                              std::size_t end) {
@@ -68,8 +71,8 @@ FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::si
 }
 
 /// Computes the elements from `i` on.
-/// \return the first element that is left: `count`, or one from which on a block may have a fault,
-/// does not fill a register without masks, or would not be exact
+/// \return the first element that is left, or `count`. Elements are left if their blocks may have a
+/// fault, if they do not fill a block and there are no masks, or if they would not be exact.
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size_t i,
                                            std::size_t count) {
@@ -97,9 +100,11 @@ FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size
   }
 }
 
-/// Computes the elements from `i` on, and records their faults. Notes four blocks after a fault,
-/// then goes on as far as each_block() finds none. Notes up to 16 where faults are frequent.
-/// \return the first element that is left: `count`, or one that does not fill a block without masks
+/// Computes the elements from `i` on, and records their faults. Calls note() for four blocks, then
+/// each_block() until a block may have a fault, and so on. Where faults are frequent, calls note()
+/// for 8 or 16 blocks at a time.
+/// \return the first element that is left, or `count`. Elements are left if they do not fill a
+/// block and there are no masks.
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t noted_blocks(const Operation& operation, std::size_t i,
                                              std::size_t count, fault_recorder& found) {

@@ -14,14 +14,14 @@ namespace fixproof::detail::FIXED_LANES {
 
 /// The loops as a type, which on_path() passes to its callable.
 struct loops {
-  /// Computes a span with the operation of these places, up to a block that may have a fault.
-  /// \return the number of elements done
+  /// Computes the elements from `done` on, up to a block that may have a fault.
+  /// \return the number of elements done, with those that were done before
   template <class Operation, class... Places>
   FIXED_LANE_LOOP static std::size_t run(std::size_t done, std::size_t count, Places... places) {
     return each_block(Operation{places...}, done, count);
   }
-  /// The same for no more than one register. If the caller has these instructions, too, that needs
-  /// no call.
+  /// The same for spans of at most `width` elements, without a call. Does nothing for longer spans,
+  /// or if the flags do not promise AVX-512.
   template <class Operation, class... Places>
   FIXED_ALWAYS_INLINE static std::size_t run(few_blocks, std::size_t count, Places... places) {
     if constexpr (has_masks && FIXED_SURE_OF_AVX512) {
@@ -34,7 +34,8 @@ struct loops {
     }
     return 0;
   }
-  /// Computes the elements from how.done on, and records their faults.
+  /// Computes the elements from how.done on, and records their faults. Computes none for operations
+  /// without faults, because the loop above has done all that it can.
   /// \return as run() above
   template <class Operation, class... Places>
   FIXED_LANE_LOOP static std::size_t run(const recording& how, std::size_t count,

@@ -127,10 +127,10 @@ class fault_recorder {
   std::span<bool> marks_;
 };
 
-/// Asks run() for the first blocks only, and for no call.
+/// Asks run() to compute a span of at most one register, without a call.
 struct few_blocks {};
 
-/// The elements that are done already, and the faults of the others.
+/// How many elements are done already, and what records the faults of the others.
 struct recording {
   std::size_t done;
   fault_recorder& found;

@@ -35,7 +35,7 @@ FIXED_ALWAYS_INLINE std::size_t batch_length(const batch::options& how,
   return how.marks.empty() ? count : (std::min)(count, how.marks.size());
 }
 
-/// Computes elements and records their faults: as far as the path of `how` goes, then the rest.
+/// Computes elements and records their faults. Calls `blocks` on the path of `how`, then `rest`.
 /// \tparam few      up to this many elements are faster without that path
 /// \tparam has      whether the loops cover the operation
 /// \tparam O        the overflow rule of the operation
@@ -57,21 +57,21 @@ FIXED_ALWAYS_INLINE batch::report run_recorded(const char* operation, const batc
   return found.template finish<O, Fault>(operation);
 }
 
-/// Calls a lambda, and is never inlined. The lambda must capture copies: references would keep the
-/// originals in memory on every way through the caller.
+/// Calls a lambda, and is never inlined. A local variable that the lambda captures by reference is
+/// kept in memory even where the caller does not get here, so the lambda should capture copies.
 template <class Call>
 FIXED_NOINLINE auto apart(const Call& call) {
   return call();
 }
 
-/// Returns the report of a batch without faults.
+/// Clears the marks, and returns the report of a batch without faults.
 FIXED_ALWAYS_INLINE batch::report clean_report(const batch::options& how, std::size_t count) {
   if (!how.marks.empty()) std::fill_n(how.marks.begin(), count, false);
   return {};
 }
 
-/// Keeps a copy in memory. Compilers load it from there after a call. Otherwise they save a
-/// register for it when the function starts, even if the call is not made.
+/// Keeps a copy in memory, from where compilers load it after a call. Otherwise they keep it in a
+/// register that the function saves when it starts, even if it makes no call.
 template <class T>
 FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] T& copy) noexcept {
 #if defined(__GNUC__)
@@ -80,7 +80,8 @@ FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] T& copy) noexcept {
 }
 
 /// Runs a batch of elements that seldom have faults.
-/// \tparam few      up to this many elements are faster one by one; a quarter if masks need no call
+/// \tparam few      up to this many elements are faster one by one, or up to few / 4 if the first
+///                  blocks need no call
 /// \param blocks    (loops, start, count, to, from...) -> number of elements done. The start is
 ///                  few_blocks, the index of an element, or a recording. Without a recording, stops
 ///                  at a fault.
@@ -90,7 +91,7 @@ template <std::size_t few, bool has, overflow O, divide_fault Fault = divide_fau
 FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
                                             std::size_t count, Blocks blocks, Element element,
                                             T* to, const From*... from) {
-  // With masks, the first blocks need no call. They replace all but a quarter of the plain loop.
+  // First blocks without a call are faster than the plain loop from few / 4 + 1 elements on.
   constexpr bool blocks_first = has && sure_of_masks;
   std::size_t done = 0;
   if (count <= (blocks_first ? few / 4 : few)) {

@@ -155,8 +155,8 @@ inline path best() noexcept {
 
 namespace fixproof::detail {
 
-/// Whether the first blocks need no call, because the flags promise masks. Then even two elements
-/// are faster together.
+/// Whether the first blocks need no call, because the flags promise AVX-512, which has masks. Then
+/// even two elements are faster together.
 inline constexpr bool sure_of_masks = FIXED_SURE_OF_AVX512 == 1;
 
 #undef FIXED_SURE_OF_AVX2
