@@ -51,7 +51,8 @@ endfunction()
 
 # expand(TEXT RESULT): the text with the headers that it includes and `done` does not have.
 set(done fixed/format.hpp)
-macro(expand start result)
+# A function, because a macro would evaluate the backslashes of the text again.
+function(expand start result)
   set(text "${start}")
   while(text MATCHES "\n#include \"((fixed|batch)/[a-z_/]+[.]hpp)\"")
     set(header ${CMAKE_MATCH_1})
@@ -67,8 +68,9 @@ macro(expand start result)
     endif()
     set(text "${before}${included}${text}")
   endwhile()
-  set(${result} "${text}")
-endmacro()
+  set(done "${done}" PARENT_SCOPE)
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
 
 set(parts batch/detail/parts.hpp)
 expand("\n#include \"fixed/fixed.hpp\"" number)

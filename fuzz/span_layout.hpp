@@ -156,8 +156,9 @@ inline Layout read_layout(Bytes& bytes) {
     first = place(bytes, taken, (layout.count + 4) * width);
     taken.push_back({first, first + layout.count * width});
   };
-  for (std::size_t i = 0; i < layout.shape().inputs; ++i)
+  for (std::size_t i = 0; i < layout.shape().inputs; ++i) {
     add(layout.shape().in_width, layout.in[i]);
+  }
   for (std::size_t o = 0; o < layout.shape().outputs; ++o) {
     add(layout.shape().out_width, layout.out[o]);
   }

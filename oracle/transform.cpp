@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t kColumns = 4;
 
-// A rounded product of words has at most 2^46 ulps. Three of them and a word stay below 2^48, so a
-// Wide holds every sum here.
+// A rounded product of words has at most 2^46 ulps. Three of them and a word stay below 2^48, and
+// sum_in_parts() stays below 2^50, so a Wide holds every sum here.
 
 /// The largest multiple of 1.0 not above `value`.
 Wide whole(const Wide& value, int fraction_bits) {

@@ -8,8 +8,8 @@
 #include "oracle/rule.hpp"
 
 /// Results before reduction to a word: integers in ulps, for judging wrapping, saturating and
-/// trapping types. Every function that takes `fraction_bits` throws
-/// std::invalid_argument unless it is 2 ... 16.
+/// trapping types. Every function that takes `fraction_bits` throws std::invalid_argument unless it
+/// is 2 ... 16.
 ///
 /// `Int` is Integer, which has any size, or Wide, which is faster and throws if an intermediate
 /// result does not fit. Every intermediate result of words fits. A word has at most 2^31 ulps, and

@@ -1,4 +1,4 @@
-// The two oracles: one computes with integers of any size, one with built-in integers.
+// The two oracles: one computes with integers of Boost.Multiprecision, one with built-in integers.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -99,7 +99,7 @@ TEST(OracleWord, WrapIsTheResidueModuloThePowerOfTwo) {
 TEST(OracleWord, IsTheSameInWide) {
   for (const int bits : {4, 5, 16, 31, 32}) {
     const Integer limit = Integer(1) << (bits - 1);
-    for (const Integer& centre : {Integer(0), limit, -limit, 2 * limit}) {
+    for (const Integer& centre : {Integer(0), limit, -limit, 2 * limit, -2 * limit}) {
       for (int offset = -2; offset <= 2; ++offset) {
         const Integer value = centre + offset;
         EXPECT_EQ(wrap<Wide>(Wide(value), bits), wrap(value, bits)) << value;
