@@ -281,7 +281,9 @@ X86MODEL_INLINE Outcome execute(const Instruction& instruction, M& m) {
     const alu::Product product = op == Mnemonic::mul ? alu::mul(a, b, bits) : alu::imul(a, b, bits);
     m.registers.write(Register::ax, size, product.low);
     m.registers.write(Register::dx, size, product.high);
-    m.flags = product.flags;
+    // Not as a whole: g++ would then store two halves on the stack and wait to load them as one.
+    m.flags.value = product.flags.value;
+    m.flags.undefined = product.flags.undefined;
   } else if constexpr (is_divide(op)) {
     if (!read(first, size, m, b)) return Outcome::bad_address;
     const std::uint32_t high = m.registers.read(Register::dx, size);

@@ -23,8 +23,9 @@ class Registers {
     if constexpr (WordBits == 16) {
       if (size == Size::byte) return byte_of(r);
     }
-    const std::uint32_t whole = values_[static_cast<std::size_t>(r)];
-    return size == Size::word ? whole & alu::mask(WordBits) : whole;
+    const Halves& whole = values_[static_cast<std::size_t>(r)];
+    if (size == Size::word) return whole.low;
+    return whole.low | std::uint32_t{whole.high} << WordBits;
   }
 
   /// Writing a word or byte register preserves the rest of the dword register.
@@ -32,14 +33,25 @@ class Registers {
     if constexpr (WordBits == 16) {
       if (size == Size::byte) return write_byte(r, value);
     }
-    std::uint32_t& whole = values_[static_cast<std::size_t>(r)];
-    whole = size == Size::word ? (whole & ~alu::mask(WordBits)) | (value & alu::mask(WordBits))
-                               : value & alu::mask(2 * WordBits);
+    Halves& whole = values_[static_cast<std::size_t>(r)];
+    whole.low = half(value);
+    if (size != Size::word) whole.high = half(value >> WordBits);
   }
 
   friend constexpr bool operator==(const Registers&, const Registers&) = default;
 
  private:
+  /// A dword register. Most instructions use only its low half; were it one integer, reading the
+  /// whole after a write to one half would wait until that write has left the processor.
+  struct Halves {
+    std::uint16_t low = 0;
+    std::uint16_t high = 0;
+
+    friend constexpr bool operator==(const Halves&, const Halves&) = default;
+  };
+  X86MODEL_INLINE static std::uint16_t half(std::uint32_t value) {
+    return static_cast<std::uint16_t>(value & alu::mask(WordBits));
+  }
   /// The dword register that contains a byte register, and the position in it.
   struct Place {
     std::size_t whole;
@@ -51,15 +63,15 @@ class Registers {
   }
   [[nodiscard]] X86MODEL_INLINE std::uint32_t byte_of(Register r) const {
     const Place place = place_of(r);
-    return values_[place.whole] >> place.shift & 0xFFU;
+    return std::uint32_t{values_[place.whole].low} >> place.shift & 0xFFU;
   }
   X86MODEL_INLINE void write_byte(Register r, std::uint32_t value) {
     const Place place = place_of(r);
-    std::uint32_t& whole = values_[place.whole];
-    whole = (whole & ~(0xFFU << place.shift)) | (value & 0xFFU) << place.shift;
+    std::uint16_t& word = values_[place.whole].low;
+    word = half((word & ~(0xFFU << place.shift)) | (value & 0xFFU) << place.shift);
   }
 
-  std::array<std::uint32_t, register_count> values_{};
+  std::array<Halves, register_count> values_{};
 };
 
 /// Memory of machine words with byte addresses. Only aligned words inside it are accessible.

@@ -28,17 +28,50 @@ struct Ending {
   std::uint64_t steps;
 };
 
+namespace detail {
+
+/// Executes an instruction whose first operand is a word register and whose second is of `kind`, as
+/// in most rows of the listings. Stating both again leaves the compiler no other case to test for.
+template <Mnemonic op, Operand::Kind kind, class M>
+Outcome execute_on_word_register(const Instruction& instruction, M& m) {
+  Instruction known = instruction;
+  known.operands[0].kind = Operand::Kind::reg;
+  known.operands[0].size = Size::word;
+  known.operands[1].kind = kind;
+  return execute<op>(known, m);
+}
+
+/// The number of kinds of operands, rounded up to a power of two, which is faster to index.
+inline constexpr std::size_t kinds = 8;
+static_assert(static_cast<std::size_t>(Operand::Kind::label) < kinds);
+
+}  // namespace detail
+
 /// Executes an instruction, chosen at run time, that is not control flow.
 template <class M>
 Outcome execute_any(const Instruction& instruction, M& m) {
+  using detail::kinds;
   using Handler = Outcome (*)(const Instruction&, M&);
-  static constexpr auto handlers = []<std::size_t... I>(std::index_sequence<I...>) {
+  constexpr auto mnemonics = static_cast<std::size_t>(Mnemonic::jmp);
+  static constexpr auto on_word_register = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array<Handler, sizeof...(I)>{
+        &detail::execute_on_word_register<static_cast<Mnemonic>(I / kinds),
+                                          static_cast<Operand::Kind>(I % kinds), M>...};
+  }
+  (std::make_index_sequence<mnemonics * kinds>{});
+  static constexpr auto on_any = []<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<Handler, sizeof...(I)>{+[](const Instruction& i, M& machine) {
       return execute<static_cast<Mnemonic>(I)>(i, machine);
     }...};
   }
-  (std::make_index_sequence<static_cast<std::size_t>(Mnemonic::jmp)>{});
-  return handlers[static_cast<std::size_t>(instruction.mnemonic)](instruction, m);
+  (std::make_index_sequence<mnemonics>{});
+  const auto op = static_cast<std::size_t>(instruction.mnemonic);
+  const Operand& first = instruction.operands[0];
+  if (first.kind == Operand::Kind::reg && first.size == Size::word) [[likely]] {
+    const auto second = static_cast<std::size_t>(instruction.operands[1].kind);
+    return on_word_register[op * kinds + second](instruction, m);
+  }
+  return on_any[op](instruction, m);
 }
 
 /// Executes an instruction that is control flow.
@@ -70,31 +103,33 @@ template <class M, class Observer>
 Ending run(std::span<const Instruction> code, M& m, Observer&& observe,
            std::uint64_t limit = 100'000) {
   std::size_t position = 0;
-  for (std::uint64_t steps = 0; steps < limit; ++steps) {
-    if (position >= code.size()) return {Outcome::bad_address, position, steps};
+  for (std::uint64_t left = limit; left > 0; --left) {
+    if (position >= code.size()) return {Outcome::bad_address, position, limit - left};
     if constexpr (requires { observe.before(position, std::as_const(m)); }) {
       observe.before(position, std::as_const(m));
     }
     const Instruction& instruction = code[position];
     const Mnemonic op = instruction.mnemonic;
-    auto next = static_cast<std::uint32_t>(position + 1);
+    std::size_t next = position + 1;
     Outcome outcome = Outcome::proceeds;
-    if (is_control_flow(op)) {
+    if (!is_control_flow(op)) [[likely]] {
+      outcome = execute_any(instruction, m);
+    } else {
       const Operand& to = instruction.operands[0];
       const auto target = static_cast<std::uint32_t>(
           to.kind == Operand::Kind::reg
               ? position_at(code, m.registers.read(to.reg, to.size) - code_address)
               : static_cast<std::size_t>(to.value));
-      outcome = transfer(op, m, target, next);
+      auto address = static_cast<std::uint32_t>(next);
+      outcome = transfer(op, m, target, address);
       if (op == Mnemonic::ret && outcome == Outcome::proceeds &&
-          next == return_to_caller<M::word_bits>) {
+          address == return_to_caller<M::word_bits>) {
         observe(position, std::as_const(m));
-        return {Outcome::returned, position, steps + 1};
+        return {Outcome::returned, position, limit - left + 1};
       }
-    } else {
-      outcome = execute_any(instruction, m);
+      next = address;
     }
-    if (outcome != Outcome::proceeds) return {outcome, position, steps};
+    if (outcome != Outcome::proceeds) return {outcome, position, limit - left};
     observe(position, std::as_const(m));
     position = next;
   }
