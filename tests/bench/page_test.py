@@ -44,6 +44,11 @@ assert "| multiply | batch, below 64 | 0.25 i: 8 |" in page.below({"build": rows
 assert "batch, 64 or more" not in page.below({"build": rows + slow})
 assert "| **0.25** i |" in page.matrix(rows + slow) and "| 1.50 i |" in page.matrix(rows + slow)
 
+# What has no limit with a name is a tie or shows none.
+for ns, bound in ((0.98, "a tie"), (0.9, "")):
+    loop = [result("type", 1, ours=True, shape="loop"), result("idiom", ns, shape="loop")]
+    assert f"| multiply | loop | {ns:.2f} i | {bound} |" in page.below({"build": loop})
+
 # Only what is between the marks is replaced; peers that are missing are counted.
 context = {"machine": "a machine", "compilers": ["a compiler"], "date": "today", "missing": {"build": ["SLEEF"]}}
 text = page.replaced(f"before\n{page.BEGIN}\nold\n{page.END}\nafter\n", context, {"build": rows})
