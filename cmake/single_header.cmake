@@ -115,6 +115,8 @@ ${targets}${batch}
 
 #endif  // FIXED_LANES
 ")
+# A shorter name for what begins most functions of lanes.
+string(REPLACE "FIXED_LANE_FUNCTION" "FIXED_LANE" text "${text}")
 # Joins namespaces that one header closes and the next opens again. A name between @ marks where a header closes one.
 foreach(name fixproof fixproof::detail)
   string(REGEX REPLACE "}@${name}@\n+namespace ${name} {\n" "" text "${text}")

@@ -60,37 +60,29 @@ FIXED_LANE_FUNCTION i32 narrowed(i32 sum, i32& bad) {
   }
 }
 
-/// Drops the last F bits of biased sums in even and odd lanes, and wraps or saturates the rest to
-/// 32 bits.
+/// Drops the last F bits of biased sums, and wraps or saturates the rest to 32 bits.
 template <overflow O, int F>
-FIXED_LANE_FUNCTION i32 narrowed(i64 even, i64 odd, i32& bad) {
-  const i32 low = middle<F>(even, odd);
+FIXED_LANE_FUNCTION i32 narrowed(wide_lanes sum, i32& bad) {
+  const i32 low = middle<F>(sum);
   if constexpr (O == overflow::wrap) {
     return low;
   } else {
     // A sum is in range if all remaining upper bits equal the sign. With F = 0 they are a word.
-    const i32 high = interleaved(u64(even) >> 32, u64(odd));
+    const i32 high = upper_words(sum);
     const i32 out = i32((high >> (F == 0 ? 0 : F - 1)) != (low >> 31));
     bad |= out;
     return O == overflow::saturate ? saturated<std::int32_t>(low, out, high) : low;
   }
 }
 
-FIXED_LANE_FUNCTION i64 odd_lanes(i32 x) { return i64(u64(x) >> 32); }
-
-/// Products or sums in units of 2^-F ulp, of the even lanes and of the odd lanes.
-struct wide_lanes {
-  i64 even;
-  i64 odd;
-};
-
-/// Returns exact products: of 16-bit numbers in 32-bit lanes, of 32-bit numbers in wide lanes.
+/// Returns exact products in units of 2^-F ulp: of 16-bit numbers in 32-bit lanes, of 32-bit
+/// numbers in wide lanes.
 template <class N>
 FIXED_LANE_FUNCTION auto exact_product(i32 a, i32 b) {
   if constexpr (sizeof(N) == 2) {
     return a * b;
   } else {
-    return wide_lanes{mul_even(i64(a), i64(b)), mul_even(odd_lanes(a), odd_lanes(b))};
+    return products(a, b);
   }
 }
 
@@ -102,8 +94,8 @@ FIXED_LANE_FUNCTION i32 exact_sum(i32 product, i32 c) {
 }
 template <class N>
 FIXED_LANE_FUNCTION wide_lanes exact_sum(wide_lanes product, i32 c) {
-  const i64 one = i64{} + (1 << N::fraction_bits);
-  return {product.even + mul_even(i64(c), one), product.odd + mul_even(odd_lanes(c), one)};
+  const wide_lanes term = products_by(i32{} + (1 << N::fraction_bits), c);
+  return {product.first + term.first, product.second + term.second};
 }
 
 /// Rounds sums, and wraps or saturates them.
@@ -115,7 +107,8 @@ template <class N>
 FIXED_LANE_FUNCTION i32 rounded_product(wide_lanes sum, i32& bad) {
   constexpr int F = N::fraction_bits;
   constexpr rounding R = N::rules.multiply;
-  return narrowed<N::rules.product_range(), F>(biased<R, F>(sum.even), biased<R, F>(sum.odd), bad);
+  return narrowed<N::rules.product_range(), F>({biased<R, F>(sum.first), biased<R, F>(sum.second)},
+                                               bad);
 }
 
 template <class N>
@@ -145,10 +138,10 @@ FIXED_LANE_FUNCTION i32 unchecked(wide_lanes sum, u64& sums) {
   constexpr int F = N::fraction_bits;
   constexpr rounding R = N::rules.multiply;
   constexpr std::uint64_t half_range = std::uint64_t{1} << (31 + F);
-  const u64 even = u64(biased<R, F>(sum.even)) + half_range;
-  const u64 odd = u64(biased<R, F>(sum.odd)) + half_range;
-  sums |= even | odd;
-  return middle<F>(i64(even), i64(odd)) ^ (std::numeric_limits<std::int32_t>::min)();
+  const u64 first = u64(biased<R, F>(sum.first)) + half_range;
+  const u64 second = u64(biased<R, F>(sum.second)) + half_range;
+  sums |= first | second;
+  return middle<F>({i64(first), i64(second)}) ^ (std::numeric_limits<std::int32_t>::min)();
 }
 
 /// Tells whether all results were in range. Always true under overflow::wrap.
@@ -300,7 +293,7 @@ FIXED_LANE_FUNCTION i32 nearest_roots(i32 x, std::uint32_t& errors) {
   constexpr float units = 1 << F;
   x &= ~(x >> 31);
   const i32 r = integers(root(floats(x) * units));
-  const i32 rest = i32(u32(x) << F) - i32(u32(r) * u32(r));
+  const i32 rest = i32((u32(x) << F) - u32(r) * u32(r));
   // The sign of a difference tells which of two numbers is less.
   i32 nearest = r - ((r - rest) >> 31) + ((rest - 1 + r) >> 31);
   if constexpr (!has_nearest_floats) {

@@ -8,21 +8,22 @@ namespace fixproof::detail::FIXED_LANES {
 template <class Sum>
 struct dot_sums;
 
-/// Sums modulo 2^64, of the even and of the odd lanes.
+/// Sums modulo 2^64.
 template <>
 struct dot_sums<std::uint64_t> {
-  u64 even{};
-  u64 odd{};
+  u64 first{};
+  u64 second{};
 
   FIXED_LANE_FUNCTION void add(i32 x, i32 y) {
-    even += u64(mul_even(i64(x), i64(y)));
-    odd += u64(mul_even(odd_lanes(x), odd_lanes(y)));
+    const wide_lanes product = products(x, y);
+    first += u64(product.first);
+    second += u64(product.second);
   }
   FIXED_LANE_FUNCTION void add(const dot_sums& other) {
-    even += other.even;
-    odd += other.odd;
+    first += other.first;
+    second += other.second;
   }
-  FIXED_LANE_FUNCTION void add_to(std::uint64_t& sum) const { sum += sum_of(even + odd); }
+  FIXED_LANE_FUNCTION void add_to(std::uint64_t& sum) const { sum += sum_of(first + second); }
 };
 
 /// Exact sums of up to 2^30 products. Adds 2^63 to each product, so that it is not negative, and
@@ -35,10 +36,11 @@ struct dot_sums<wide_sum> {
 
   FIXED_LANE_FUNCTION void add(i32 x, i32 y) {
     constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-    const u64 even = u64(mul_even(i64(x), i64(y))) ^ sign;
-    const u64 odd = u64(mul_even(odd_lanes(x), odd_lanes(y))) ^ sign;
-    low += (even & 0xffffffff) + (odd & 0xffffffff);
-    high += (even >> 32) + (odd >> 32);
+    const wide_lanes product = products(x, y);
+    const u64 first = u64(product.first) ^ sign;
+    const u64 second = u64(product.second) ^ sign;
+    low += (first & 0xffffffff) + (second & 0xffffffff);
+    high += (first >> 32) + (second >> 32);
     ++blocks;
   }
   FIXED_LANE_FUNCTION void add(const dot_sums& other) {

@@ -26,6 +26,13 @@ using half_i32 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int32_t;
 using narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int16_t;
 using half_narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 4)]] = std::int16_t;
 
+/// A 64-bit lane for each 32-bit lane: the even ones first, then the odd ones. On NEON, which
+/// multiplies adjacent lanes, the lower half first, then the upper half.
+struct wide_lanes {
+  i64 first;
+  i64 second;
+};
+
 /// One integer per lane.
 using lane_array = std::array<std::int32_t, width>;
 
@@ -35,6 +42,9 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
   return x;
 }
 
+// products(a, b)        products of all lanes, in wide lanes
+// products_by(x, b)     the same; all lanes of x are equal
+// upper_words(x)        the upper halves of wide lanes
 // mul_even(a, b)        products of the lower halves, in 64-bit lanes, signed or unsigned by type
 // unknown(x)            x in a register, hidden from the optimiser. Otherwise clang loses track of
 //                       operands that have 32 bits, and multiplies 64 bits in three products;
@@ -269,6 +279,15 @@ FIXED_LANE_FUNCTION i64 whole(f64 x) {
 
 #else
 
+FIXED_LANE_FUNCTION wide_lanes products(i32 a, i32 b) {
+  const int32x4_t x(a);
+  const int32x4_t y(b);
+  return {i64(vmull_s32(vget_low_s32(x), vget_low_s32(y))), i64(vmull_high_s32(x, y))};
+}
+FIXED_LANE_FUNCTION wide_lanes products_by(i32 x, i32 b) { return products(x, b); }
+FIXED_LANE_FUNCTION i32 upper_words(wide_lanes x) {
+  return i32(vuzp2q_s32(int32x4_t(x.first), int32x4_t(x.second)));
+}
 FIXED_LANE_FUNCTION i64 mul_even(i64 a, i64 b) {
   return i64(vmull_s32(vmovn_s64(int64x2_t(a)), vmovn_s64(int64x2_t(b))));
 }
@@ -340,13 +359,34 @@ FIXED_LANE_FUNCTION i32 interleaved(u64 even, u64 odd) {
   return blend<0xaaaa>(i32(even), i32(odd));
 }
 
-/// Returns the bits `low` to `low` + 31 of the 64-bit lanes of `even` and `odd`, interleaved.
-template <int low>
-FIXED_LANE_FUNCTION i32 middle(i64 even, i64 odd) {
-#if FIXED_LANE_BYTES == 64
-  if constexpr (low == 16) return middle_16(even, odd);
+FIXED_LANE_FUNCTION i64 odd_lanes(i32 x) { return i64(u64(x) >> 32); }
+
+#if FIXED_LANE_BYTES > 16
+FIXED_LANE_FUNCTION wide_lanes products(i32 a, i32 b) {
+  return {mul_even(i64(a), i64(b)), mul_even(odd_lanes(a), odd_lanes(b))};
+}
+FIXED_LANE_FUNCTION wide_lanes products_by(i32 x, i32 b) {
+  return {mul_even(i64(x), i64(b)), mul_even(i64(x), odd_lanes(b))};
+}
+FIXED_LANE_FUNCTION i32 upper_words(wide_lanes x) {
+  return interleaved(u64(x.first) >> 32, u64(x.second));
+}
 #endif
-  return interleaved(u64(even) >> low, u64(odd) << (32 - low));
+
+/// Returns the bits `low` to `low` + 31 of wide lanes.
+template <int low>
+FIXED_LANE_FUNCTION i32 middle(wide_lanes x) {
+#if FIXED_LANE_BYTES == 64
+  if constexpr (low == 16) return middle_16(x.first, x.second);
+#endif
+#if FIXED_LANE_BYTES == 16
+  const int64x2_t first(x.first);
+  const int64x2_t second(x.second);
+  if constexpr (low == 0) return i32(vmovn_high_s64(vmovn_s64(first), second));
+  if constexpr (low != 0) return i32(vshrn_high_n_s64(vshrn_n_s64(first, low), second, low));
+#else
+  return interleaved(u64(x.first) >> low, u64(x.second) << (32 - low));
+#endif
 }
 
 }  // namespace fixproof::detail::FIXED_LANES

@@ -27,6 +27,12 @@ struct first_elements {
   }
 };
 
+// g++ 12 does not see that a short span does not get to a whole block.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Warray-bounds"
+#endif
+
 /// Loads half a block.
 template <class Raw>
 FIXED_LANE_FUNCTION half_i32 load_half(const void* base, std::size_t index, whole_block = {}) {
@@ -173,6 +179,10 @@ FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
     store<Raw>(base, index, x);
   }
 }
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 }  // namespace fixproof::detail::FIXED_LANES
 #endif

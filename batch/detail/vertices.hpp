@@ -102,6 +102,12 @@ FIXED_LANE_FUNCTION void prefetch(const void* base, std::size_t index) {
 
 template <class N>
 FIXED_LANE_FUNCTION block_of_vertices load_vertices(const void* from, std::size_t i, whole_block) {
+#if FIXED_LANE_BYTES == 16
+  if constexpr (sizeof(N) == 4) {
+    const int32x4x3_t v = vld3q_s32(static_cast<const std::int32_t*>(from) + 3 * i);
+    return {i32(v.val[0]), i32(v.val[1]), i32(v.val[2])};
+  }
+#endif
   prefetch<3 * sizeof(N) * width>(from, 3 * sizeof(N) * i);
   const i32 first = load<N>(from, 3 * i);
   const i32 second = load<N>(from, 3 * i + width);
@@ -116,6 +122,12 @@ FIXED_LANE_FUNCTION block_of_vertices load_vertices(const std::array<const N*, 3
 
 template <class N, stores how>
 FIXED_LANE_FUNCTION void store_vertices(void* to, std::size_t i, const block_of_vertices& v) {
+#if FIXED_LANE_BYTES == 16
+  if constexpr (sizeof(N) == 4) {
+    const int32x4x3_t all{int32x4_t(v.x), int32x4_t(v.y), int32x4_t(v.z)};
+    return vst3q_s32(static_cast<std::int32_t*>(to) + 3 * i, all);
+  }
+#endif
   const registers_of_vertices r = registers_of(v);
   store<N, how>(to, 3 * i, r.first);
   store<N, how>(to, 3 * i + width, r.second);
@@ -213,10 +225,8 @@ struct sum_row {
   i32 x, y, z;
   u64 start;
 
-  /// Of the even lanes.
   [[nodiscard]] FIXED_LANE_FUNCTION i64 sum(i64 of_x, i64 of_y, i64 of_z) const {
-    return i64(start + u64(mul_even(i64(x), of_x)) + u64(mul_even(i64(y), of_y)) +
-               u64(mul_even(i64(z), of_z)));
+    return i64(start + u64(of_x) + u64(of_y) + u64(of_z));
   }
   [[nodiscard]] FIXED_LANE_FUNCTION i32 of(const block_of_vertices& v, i32& bad) const {
     constexpr int F = N::fraction_bits;
@@ -227,8 +237,12 @@ struct sum_row {
       const u32 all = u32(start) + u32(x * v.x) + u32(y * v.y) + u32(z * v.z);
       return narrowed<O>(rounded<R, F>(i32(all)), bad);
     } else {
-      return narrowed<O, F>(biased<R, F>(sum(i64(v.x), i64(v.y), i64(v.z))),
-                            biased<R, F>(sum(odd_lanes(v.x), odd_lanes(v.y), odd_lanes(v.z))), bad);
+      const wide_lanes of_x = products_by(x, v.x);
+      const wide_lanes of_y = products_by(y, v.y);
+      const wide_lanes of_z = products_by(z, v.z);
+      return narrowed<O, F>({biased<R, F>(sum(of_x.first, of_y.first, of_z.first)),
+                             biased<R, F>(sum(of_x.second, of_y.second, of_z.second))},
+                            bad);
     }
   }
 };
