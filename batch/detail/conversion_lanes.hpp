@@ -44,7 +44,8 @@ FIXED_LANE_FUNCTION half_i32 half_rounded(f64 twice) {
     // add up to zero.
     const half_i32 halves = low_words(floor);
     const half_i32 nearest = low_words(up);
-    const half_i32 exact = half_i32(halves + low_words(whole<true>(-twice)) == 0);
+    const i64 sum = i64(u64(floor) + u64(whole<true>(-twice)));
+    const half_i32 exact = half_i32(low_words(sum) == 0);
     return nearest - (nearest & halves & exact & 1);
   } else {
     // Truncation takes the ceiling of a negative number.
