@@ -10,6 +10,7 @@
 
 #include "x86model/encoding.hpp"
 #include "x86model/execute.hpp"
+#include "x86model/inline.hpp"
 
 namespace x86model {
 
@@ -53,24 +54,26 @@ Outcome execute_any(const Instruction& instruction, M& m) {
   using detail::kinds;
   using Handler = Outcome (*)(const Instruction&, M&);
   constexpr auto straight = static_cast<std::size_t>(Mnemonic::jmp);  // those before control flow
-  static constexpr auto on_word_register = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<Handler, sizeof...(I)>{
-        &detail::execute_on_word_register<static_cast<Mnemonic>(I / kinds),
-                                          static_cast<Operand::Kind>(I % kinds), M>...};
+  const auto op = static_cast<std::size_t>(instruction.mnemonic);
+  if constexpr (!detail::prefers_small_code) {
+    static constexpr auto on_word_register = []<std::size_t... I>(std::index_sequence<I...>) {
+      return std::array<Handler, sizeof...(I)>{
+          &detail::execute_on_word_register<static_cast<Mnemonic>(I / kinds),
+                                            static_cast<Operand::Kind>(I % kinds), M>...};
+    }
+    (std::make_index_sequence<straight * kinds>{});
+    const Operand& first = instruction.operands[0];
+    if (first.kind == Operand::Kind::reg && first.size == Size::word) [[likely]] {
+      const auto second = static_cast<std::size_t>(instruction.operands[1].kind);
+      return on_word_register[op * kinds + second](instruction, m);
+    }
   }
-  (std::make_index_sequence<straight * kinds>{});
   static constexpr auto on_any = []<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<Handler, sizeof...(I)>{+[](const Instruction& i, M& machine) {
       return execute<static_cast<Mnemonic>(I)>(i, machine);
     }...};
   }
   (std::make_index_sequence<straight>{});
-  const auto op = static_cast<std::size_t>(instruction.mnemonic);
-  const Operand& first = instruction.operands[0];
-  if (first.kind == Operand::Kind::reg && first.size == Size::word) [[likely]] {
-    const auto second = static_cast<std::size_t>(instruction.operands[1].kind);
-    return on_word_register[op * kinds + second](instruction, m);
-  }
   return on_any[op](instruction, m);
 }
 
