@@ -159,11 +159,11 @@ FIXED_ALWAYS_INLINE detail::element_t<A> dot(const A& a, const B& b, path use = 
 }
 
 /// \cond
-FIXED_REFUSED_RANGES(report, multiply)
-FIXED_REFUSED_RANGES(report, mul_add)
-FIXED_REFUSED_RANGES(report, divide)
-FIXED_REFUSED_RANGES(report, sqrt)
-FIXED_REFUSED_RANGES(detail::element_t<X>, dot)
+FIXED_REFUSED_RANGES(report, multiply, "options")
+FIXED_REFUSED_RANGES(report, mul_add, "options")
+FIXED_REFUSED_RANGES(report, divide, "options")
+FIXED_REFUSED_RANGES(report, sqrt, "options")
+FIXED_REFUSED_RANGES(detail::element_t<X>, dot, "a path")
 /// \endcond
 
 }  // namespace fixproof::batch

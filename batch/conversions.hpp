@@ -74,4 +74,12 @@ FIXED_ALWAYS_INLINE void to_floats(const X& x, Out&& out, path use = best()) noe
       detail::start_of(out), detail::start_of(x));
 }
 
+/// \cond
+FIXED_REFUSED_BATCH(
+    report, from_floats,
+    "a range of float or double, then one of numbers, not const; options may follow")
+FIXED_REFUSED_BATCH(void, to_floats,
+                    "a range of numbers, then one of float or double, not const; a path may follow")
+/// \endcond
+
 }  // namespace fixproof::batch

@@ -93,9 +93,9 @@ void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = 
 }
 
 /// \cond
-FIXED_REFUSED_RANGES(void, sin)
-FIXED_REFUSED_RANGES(void, cos)
-FIXED_REFUSED_RANGES(void, sin_cos)
+FIXED_REFUSED_RANGES(void, sin, "a path")
+FIXED_REFUSED_RANGES(void, cos, "a path")
+FIXED_REFUSED_RANGES(void, sin_cos, "a path")
 /// \endcond
 
 }  // namespace fixproof::batch

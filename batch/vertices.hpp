@@ -80,6 +80,12 @@ FIXED_ALWAYS_INLINE batch::report project_all(
 
 }  // namespace fixproof::detail
 
+/// What the refusal of a transform says.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): an attribute needs a literal
+#define FIXED_TRANSFORM_TAKES                                                                  \
+  "rows are std::array<std::array<N, 4>, 3>, and a vertex has 3 numbers N; results come last " \
+  "and are not const; options may follow"
+
 namespace fixproof::batch {
 
 /// out[i] = in[i] transformed: each product is rounded, then row[0] x + row[1] y + row[2] z +
@@ -156,9 +162,13 @@ project(const X& x, const Y& y, const Z& z, N constant, ToX&& to_x, ToY&& to_y,
 }
 
 /// \cond
-FIXED_REFUSED_RANGES(report, transform)
-FIXED_REFUSED_RANGES(report, fused_transform)
-FIXED_REFUSED_RANGES(report, project)
+template <class Rows, detail::sized X, class... T>
+report transform(const Rows&, const X&, const T&...) FIXED_INSTEAD(FIXED_TRANSFORM_TAKES);
+template <class Rows, detail::sized X, class... T>
+report fused_transform(const Rows&, const X&, const T&...) FIXED_INSTEAD(FIXED_TRANSFORM_TAKES);
+FIXED_REFUSED_BATCH(report, project,
+                    "a vertex has 3 numbers, a point has 2, and the constant is one; points come "
+                    "last and are not const; options may follow")
 /// \endcond
 
 }  // namespace fixproof::batch

@@ -26,8 +26,9 @@ list(JOIN standard_headers "|" standard_header)
 
 # read_header(HEADER RESULT): its text, indented by tabs. It drops comments, what only a file of its own needs, and the
 # spaces that align line ends in macros. It joins a line with the next if it ends with (, a comma, an operator or
-# template <...>, or if the next begins with : or ?. It puts a block of one statement on one line. It shortens
-# indents of more than two tabs to two, because lines that continue others begin far to the right.
+# template <...>, or if the next begins with : or ?. It puts a block of one statement on one line, and a brace that ends
+# another block on the line before. It shortens indents of more than two tabs to two, because lines that continue others
+# begin far to the right.
 function(read_header header result)
   file(READ ${root}/${header} text)
   string(REGEX REPLACE "}  // namespace (fixproof|fixproof::detail)\n" "}@\\1@\n" text "${text}")
@@ -37,11 +38,14 @@ function(read_header header result)
   string(REGEX REPLACE "([(])\n +" "\\1" text "${text}")
   string(REGEX REPLACE "(,|&&| [=+|&?:</-])\n +" "\\1 " text "${text}")
   string(REGEX REPLACE "\n +([:?] )" " \\1" text "${text}")
-  string(REGEX REPLACE "{\n +([^\n#{}]+;)\n +}" "{ \\1 }" text "${text}")
+  string(REGEX REPLACE "{\n +([^\n#{}]+;)\n *}" "{ \\1 }" text "${text}")
   while(text MATCHES "\n\t*  ")
     string(REGEX REPLACE "(\n\t*)  " "\\1\t" text "${text}")
   endwhile()
   string(REGEX REPLACE "\n\t\t\t+ ?" "\n\t\t" text "${text}")
+  while(text MATCHES "[;}]\n\t+}\n")
+    string(REGEX REPLACE "([;}])\n\t+}\n" "\\1 }\n" text "${text}")
+  endwhile()
   string(REGEX REPLACE "(\n\t+template <[^\n]+>)\n\t+" "\\1 " text "${text}")
   string(REPLACE "\n#pragma once\n" "\n" text "${text}")
   string(REGEX REPLACE "\n#include <(${standard_header})>" "" text "${text}")
@@ -115,8 +119,9 @@ ${targets}${batch}
 
 #endif  // FIXED_LANES
 ")
-# A shorter name for what begins most functions of lanes.
+# Shorter names for what begins many functions.
 string(REPLACE "FIXED_LANE_FUNCTION" "FIXED_LANE" text "${text}")
+string(REPLACE "FIXED_ALWAYS_INLINE" "FIXED_HOT" text "${text}")
 # Joins namespaces that one header closes and the next opens again. A name between @ marks where a header closes one.
 foreach(name fixproof fixproof::detail)
   string(REGEX REPLACE "}@${name}@\n+namespace ${name} {\n" "" text "${text}")

@@ -102,10 +102,17 @@ void store_tuple(const std::array<N*, size>& to, std::size_t index,
 
 }  // namespace fixproof::detail
 
-/// Refuses the calls that no other overload of a batch takes. Clang reports a wrong type of the
-/// result before the text, so `result` is the type of the other overloads.
+/// Refuses the calls that no other overload of a batch takes; `text` says what it takes. Clang
+/// reports a wrong type of the result before the text, so `result` is the type of the other
+/// overloads.
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function
-#define FIXED_REFUSED_RANGES(result, name)          \
-  template <detail::sized X, class... T>            \
-  result name(const X&, const T&...) FIXED_INSTEAD( \
-      "the ranges of a batch have one number type; results come last and are not const");
+#define FIXED_REFUSED_BATCH(result, name, text) \
+  template <detail::sized X, class... T>        \
+  result name(const X&, const T&...) FIXED_INSTEAD(text);
+
+/// The same for a batch of numbers alone, after which its caller may name a `last` argument.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function
+#define FIXED_REFUSED_RANGES(result, name, last)                                               \
+  FIXED_REFUSED_BATCH(result, name,                                                            \
+                      "the ranges of a batch have one number type; results come last and are " \
+                      "not const; " last " may follow")
