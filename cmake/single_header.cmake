@@ -25,7 +25,7 @@ list(JOIN standard_includes "" standard_includes)
 list(JOIN standard_headers "|" standard_header)
 
 # read_header(HEADER RESULT): its text, indented by tabs. It drops comments, what only a file of its own needs, and the
-# spaces that align line ends in macros. It joins a line with the next if it ends with (, a comma, an operator or
+# spaces that align. It joins a line with the next if it ends with (, a comma, an operator or
 # template <...>, or if the next begins with : or ?. It puts a block of one statement on one line, and a brace that ends
 # another block on the line before. It shortens indents of more than two tabs to two, because lines that continue others
 # begin far to the right.
@@ -34,7 +34,7 @@ function(read_header header result)
   string(REGEX REPLACE "}  // namespace (fixproof|fixproof::detail)\n" "}@\\1@\n" text "${text}")
   string(REGEX REPLACE " *//[^\n]*| */[*][^*\n]*[*]/" "" text "\n${text}")
   string(REGEX REPLACE "\n\n+" "\n" text "${text}")
-  string(REGEX REPLACE " +\\\\\n" " \\\\\n" text "${text}")
+  string(REGEX REPLACE "([^ \n])  +" "\\1 " text "${text}")
   string(REGEX REPLACE "([(])\n +" "\\1" text "${text}")
   string(REGEX REPLACE "(,|&&| [=+|&?:</-])\n +" "\\1 " text "${text}")
   string(REGEX REPLACE "\n +([:?] )" " \\1" text "${text}")

@@ -206,17 +206,17 @@ class number {
 
   /// The negative, exact. That of the lowest number overflows; the policy handles it.
   [[nodiscard]] constexpr number operator-() const noexcept(never_throws) {
-    return narrowed<P.range>(detail::exact_negative(raw_), "operator-", *this);
+    return from_raw(narrowed<P.range>(detail::exact_negative(raw_), "operator-", raw_));
   }
 
   /// The sum, exact. The policy handles overflow.
   [[nodiscard]] friend constexpr number operator+(number a, number b) noexcept(never_throws) {
-    return narrowed<P.range>(detail::exact_sum(a.raw_, b.raw_), "operator+", a, b);
+    return a += b;
   }
 
   /// The difference, exact. The policy handles overflow.
   [[nodiscard]] friend constexpr number operator-(number a, number b) noexcept(never_throws) {
-    return narrowed<P.range>(detail::exact_difference(a.raw_, b.raw_), "operator-", a, b);
+    return a -= b;
   }
 
   /// The product, rounded once by policy::multiply. The policy handles overflow.
@@ -225,8 +225,7 @@ class number {
   ///     static_assert(unit * q16_16(0.5) == unit && -unit * q16_16(0.5) == q16_16());
   [[nodiscard]] friend constexpr number operator*(number a,
                                                   number b) noexcept(multiply_never_throws) {
-    return narrowed<P.product_range()>(
-        detail::rounded_product<FractionBits, P.multiply>(a.raw_, b.raw_), "operator*", a, b);
+    return a *= b;
   }
 
   /// The quotient, rounded once by policy::divide. The policy handles overflow. If division by zero
@@ -264,7 +263,8 @@ class number {
   /// right.
   [[nodiscard]] friend constexpr number operator<<(number x, int places) noexcept(never_throws) {
     if (places < 0) return x >> (places < -64 ? 64 : -places);
-    return narrowed<P.range>(detail::exact_shift_left(x.raw_, places), "operator<<", x);
+    return from_raw(
+        narrowed<P.range>(detail::exact_shift_left(x.raw_, places), "operator<<", x.raw_));
   }
 
   /// x / 2^places toward -infinity, under every policy: the arithmetic shift of the stored integer.
@@ -279,12 +279,20 @@ class number {
   }
 
   /// Adds b. The number is unchanged if operator+ throws.
-  constexpr number& operator+=(number b) noexcept(never_throws) { return *this = *this + b; }
+  FIXED_ALWAYS_INLINE constexpr number& operator+=(number b) noexcept(never_throws) {
+    raw_ = narrowed<P.range>(detail::exact_sum(raw_, b.raw_), "operator+", raw_, b.raw_);
+    return *this;
+  }
   /// Subtracts b. The number is unchanged if operator- throws.
-  constexpr number& operator-=(number b) noexcept(never_throws) { return *this = *this - b; }
+  FIXED_ALWAYS_INLINE constexpr number& operator-=(number b) noexcept(never_throws) {
+    raw_ = narrowed<P.range>(detail::exact_difference(raw_, b.raw_), "operator-", raw_, b.raw_);
+    return *this;
+  }
   /// Multiplies by b. The number is unchanged if operator* throws.
-  constexpr number& operator*=(number b) noexcept(multiply_never_throws) {
-    return *this = *this * b;
+  FIXED_ALWAYS_INLINE constexpr number& operator*=(number b) noexcept(multiply_never_throws) {
+    raw_ = narrowed<P.product_range()>(
+        detail::rounded_product<FractionBits, P.multiply>(raw_, b.raw_), "operator*", raw_, b.raw_);
+    return *this;
   }
   /// Divides by b. The number is unchanged if operator/ throws.
   constexpr number& operator/=(number b) noexcept(divide_never_throws) { return *this = *this / b; }
@@ -433,12 +441,13 @@ class number {
   static constexpr raw_type lowest = (std::numeric_limits<raw_type>::min)();
   static constexpr raw_type highest = (std::numeric_limits<raw_type>::max)();
 
+  /// The value as a stored integer by rule O. An error names the operation and its stored operands.
   template <overflow O, class Wide, class... Operands>
-  FIXED_ALWAYS_INLINE static constexpr number narrowed(
+  FIXED_ALWAYS_INLINE static constexpr raw_type narrowed(
       const Wide& value, const char* operation,
-      Operands... operands) noexcept(O != overflow::trap) {
-    return from_raw(detail::narrow<O, raw_type>(
-        value, [&] { detail::raise_overflow<FractionBits>(operation, operands.raw_...); }));
+      const Operands&... operands) noexcept(O != overflow::trap) {
+    return detail::narrow<O, raw_type>(
+        value, [&] { detail::raise_overflow<FractionBits>(operation, operands...); });
   }
 
   static constexpr number remainder_by_zero(number n, auto d) noexcept(divide_never_throws) {
