@@ -75,11 +75,10 @@ FIXED_ALWAYS_INLINE void to_floats(const X& x, Out&& out, path use = best()) noe
 }
 
 /// \cond
-FIXED_REFUSED_BATCH(
-    report, from_floats,
-    "a range of float or double, then one of numbers, not const; options may follow")
+FIXED_REFUSED_BATCH(report, from_floats,
+                    "from_floats reads floats or doubles and writes numbers; options may follow")
 FIXED_REFUSED_BATCH(void, to_floats,
-                    "a range of numbers, then one of float or double, not const; a path may follow")
+                    "to_floats reads numbers and writes floats or doubles; a path may follow")
 /// \endcond
 
 }  // namespace fixproof::batch

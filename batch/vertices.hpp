@@ -167,8 +167,8 @@ report transform(const Rows&, const X&, const T&...) FIXED_INSTEAD(FIXED_TRANSFO
 template <class Rows, detail::sized X, class... T>
 report fused_transform(const Rows&, const X&, const T&...) FIXED_INSTEAD(FIXED_TRANSFORM_TAKES);
 FIXED_REFUSED_BATCH(report, project,
-                    "a vertex has 3 numbers, a point has 2, and the constant is one; points come "
-                    "last and are not const; options may follow")
+                    "a vertex has 3 numbers N, a point has 2, and the constant is an N; points "
+                    "come last and are not const; options may follow")
 /// \endcond
 
 }  // namespace fixproof::batch

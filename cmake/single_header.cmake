@@ -24,11 +24,11 @@ list(TRANSFORM standard_headers REPLACE ".+" "#include <\\0>\n" OUTPUT_VARIABLE 
 list(JOIN standard_includes "" standard_includes)
 list(JOIN standard_headers "|" standard_header)
 
-# read_header(HEADER RESULT): its text, indented by tabs. It drops comments, what only a file of its own needs, and the
-# spaces that align. It joins a line with the next if it ends with (, a comma, an operator or
-# template <...>, or if the next begins with : or ?. It puts a block of one statement on one line, and a brace that ends
-# another block on the line before. It shortens indents of more than two tabs to two, because lines that continue others
-# begin far to the right.
+# read_header(HEADER RESULT): its text, indented by tabs. It drops comments, `#pragma once`, the includes of
+# standard_headers, and spaces that only align. To a line that ends with (, a comma, an operator or template <...>, it
+# appends the next line. It appends a line that begins with : or ? to the line before. It puts a block of one statement
+# on one line. It moves any other indented closing brace to the end of the line before. It shortens indents of more than
+# two tabs to two, because lines that continue others begin far to the right.
 function(read_header header result)
   file(READ ${root}/${header} text)
   string(REGEX REPLACE "}  // namespace (fixproof|fixproof::detail)\n" "}@\\1@\n" text "${text}")

@@ -278,17 +278,17 @@ class number {
     return from_raw(places > most ? static_cast<Raw>(almost >> 1) : almost);
   }
 
-  /// Adds b. The number is unchanged if operator+ throws.
+  /// Adds b. If this throws, the number is unchanged and the error names operator+.
   FIXED_ALWAYS_INLINE constexpr number& operator+=(number b) noexcept(never_throws) {
     raw_ = narrowed<P.range>(detail::exact_sum(raw_, b.raw_), "operator+", raw_, b.raw_);
     return *this;
   }
-  /// Subtracts b. The number is unchanged if operator- throws.
+  /// Subtracts b. If this throws, the number is unchanged and the error names operator-.
   FIXED_ALWAYS_INLINE constexpr number& operator-=(number b) noexcept(never_throws) {
     raw_ = narrowed<P.range>(detail::exact_difference(raw_, b.raw_), "operator-", raw_, b.raw_);
     return *this;
   }
-  /// Multiplies by b. The number is unchanged if operator* throws.
+  /// Multiplies by b. If this throws, the number is unchanged and the error names operator*.
   FIXED_ALWAYS_INLINE constexpr number& operator*=(number b) noexcept(multiply_never_throws) {
     raw_ = narrowed<P.product_range()>(
         detail::rounded_product<FractionBits, P.multiply>(raw_, b.raw_), "operator*", raw_, b.raw_);
@@ -441,7 +441,8 @@ class number {
   static constexpr raw_type lowest = (std::numeric_limits<raw_type>::min)();
   static constexpr raw_type highest = (std::numeric_limits<raw_type>::max)();
 
-  /// The value as a stored integer by rule O. An error names the operation and its stored operands.
+  /// The value as a stored integer under rule O. `operands` are stored integers; an error names the
+  /// operation and shows them as values.
   template <overflow O, class Wide, class... Operands>
   FIXED_ALWAYS_INLINE static constexpr raw_type narrowed(
       const Wide& value, const char* operation,

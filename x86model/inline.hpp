@@ -1,6 +1,6 @@
 /// @file
-/// What the model asks of the compiler. The compiled run needs forced inlining: the machine is kept
-/// in processor registers only if every function on its path is inlined.
+/// Compiler-specific parts of the model. The compiled run needs forced inlining: the machine is
+/// kept in processor registers only if every function on its path is inlined.
 #pragma once
 
 #define X86MODEL_INLINE [[gnu::always_inline]] inline constexpr

@@ -102,17 +102,18 @@ void store_tuple(const std::array<N*, size>& to, std::size_t index,
 
 }  // namespace fixproof::detail
 
-/// Refuses the calls that no other overload of a batch takes; `text` says what it takes. Clang
-/// reports a wrong type of the result before the text, so `result` is the type of the other
-/// overloads.
+/// Refuses the calls of a batch that no other overload takes. `text` says what the batch takes.
+/// `result` is the return type of the other overloads, because clang reports a result of the wrong
+/// type before the text.
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function
 #define FIXED_REFUSED_BATCH(result, name, text) \
   template <detail::sized X, class... T>        \
   result name(const X&, const T&...) FIXED_INSTEAD(text);
 
-/// The same for a batch of numbers alone, after which its caller may name a `last` argument.
+/// The same for a batch whose ranges all hold numbers. `last` names the argument that may follow
+/// them.
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function
-#define FIXED_REFUSED_RANGES(result, name, last)                                               \
-  FIXED_REFUSED_BATCH(result, name,                                                            \
-                      "the ranges of a batch have one number type; results come last and are " \
-                      "not const; " last " may follow")
+#define FIXED_REFUSED_RANGES(result, name, last)                                                \
+  FIXED_REFUSED_BATCH(result, name,                                                             \
+                      "the ranges of a batch have one number type; any result ranges are last " \
+                      "and not const; " last " may follow")

@@ -52,7 +52,7 @@ std::string bits(const std::pair<A, B>& x) {
 }
 /// \}
 
-/// Calls a function that returns text; the message instead if it throws.
+/// Returns the text that `call` returns, or the message of the exception that it throws.
 template <class T>
 std::string outcome(std::string (*call)(const T&, const T&, const T&), const T& a, const T& b,
                     const T& c) {
@@ -72,8 +72,9 @@ class Interface : public testing::Test {
   template <class T>
   using Call = std::string (*)(const T&, const T&, const T&);
 
-  /// Calls a function object of type F with plain and with recorded operands, both edges and random
-  /// ones. Only the calls are compiled for each of the hundreds of types F.
+  /// Calls a function object of type F with plain and with recorded operands: the ends of the range
+  /// and random ones. The loop is in compare(), so only the two calls are compiled for each of the
+  /// hundreds of types F.
   template <class F>
   void expect(const char* name, std::uint64_t records, F) {
     compare(
