@@ -162,9 +162,9 @@ project(const X& x, const Y& y, const Z& z, N constant, ToX&& to_x, ToY&& to_y,
 }
 
 /// \cond
-template <class Rows, detail::sized X, class... T>
+template <detail::sized Rows, detail::sized X, class... T>
 report transform(const Rows&, const X&, const T&...) FIXED_INSTEAD(FIXED_TRANSFORM_TAKES);
-template <class Rows, detail::sized X, class... T>
+template <detail::sized Rows, detail::sized X, class... T>
 report fused_transform(const Rows&, const X&, const T&...) FIXED_INSTEAD(FIXED_TRANSFORM_TAKES);
 FIXED_REFUSED_BATCH(report, project,
                     "a vertex has 3 numbers N, a point has 2, and the constant is an N; points "

@@ -119,9 +119,10 @@ ${targets}${batch}
 
 #endif  // FIXED_LANES
 ")
-# Shorter names for what begins many functions.
+# Shorter names for macros that are used often.
 string(REPLACE "FIXED_LANE_FUNCTION" "FIXED_LANE" text "${text}")
 string(REPLACE "FIXED_ALWAYS_INLINE" "FIXED_HOT" text "${text}")
+string(REPLACE "FIXED_REFUSED_" "FIXED_NO_" text "${text}")
 # Joins namespaces that one header closes and the next opens again. A name between @ marks where a header closes one.
 foreach(name fixproof fixproof::detail)
   string(REGEX REPLACE "}@${name}@\n+namespace ${name} {\n" "" text "${text}")

@@ -279,17 +279,17 @@ class number {
   }
 
   /// Adds b. If this throws, the number is unchanged and the error names operator+.
-  FIXED_ALWAYS_INLINE constexpr number& operator+=(number b) noexcept(never_throws) {
+  FIXED_INLINE_UNOPTIMISED constexpr number& operator+=(number b) noexcept(never_throws) {
     raw_ = narrowed<P.range>(detail::exact_sum(raw_, b.raw_), "operator+", raw_, b.raw_);
     return *this;
   }
   /// Subtracts b. If this throws, the number is unchanged and the error names operator-.
-  FIXED_ALWAYS_INLINE constexpr number& operator-=(number b) noexcept(never_throws) {
+  FIXED_INLINE_UNOPTIMISED constexpr number& operator-=(number b) noexcept(never_throws) {
     raw_ = narrowed<P.range>(detail::exact_difference(raw_, b.raw_), "operator-", raw_, b.raw_);
     return *this;
   }
   /// Multiplies by b. If this throws, the number is unchanged and the error names operator*.
-  FIXED_ALWAYS_INLINE constexpr number& operator*=(number b) noexcept(multiply_never_throws) {
+  FIXED_INLINE_UNOPTIMISED constexpr number& operator*=(number b) noexcept(multiply_never_throws) {
     raw_ = narrowed<P.product_range()>(
         detail::rounded_product<FractionBits, P.multiply>(raw_, b.raw_), "operator*", raw_, b.raw_);
     return *this;

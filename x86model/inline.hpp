@@ -8,7 +8,7 @@
 namespace x86model::detail {
 
 /// Whether the compiler optimises for size (-Os, -Oz). Handlers for common operands are then left
-/// out: they make the interpreter faster and twice as large.
+/// out: they make the interpreter faster and two and a half times as large.
 #ifdef __OPTIMIZE_SIZE__
 inline constexpr bool prefers_small_code = true;
 #else

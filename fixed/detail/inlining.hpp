@@ -13,3 +13,10 @@
 #define FIXED_ALWAYS_INLINE inline
 #define FIXED_NOINLINE
 #endif
+
+/// Inlined without optimisation; with it, the compiler decides, because some copies are large.
+#if defined(__OPTIMIZE__)
+#define FIXED_INLINE_UNOPTIMISED
+#else
+#define FIXED_INLINE_UNOPTIMISED FIXED_ALWAYS_INLINE
+#endif
