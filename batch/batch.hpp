@@ -24,7 +24,7 @@
 /// No alignment is required.
 ///
 /// **Vertices** are three numbers x, y, z, and points are two. Each is a std::array of numbers or a
-/// struct that contains only them.
+/// struct that contains only them. A class with constructors must have its first as `x` or `[0]`.
 ///
 /// **Formats**: all of 8 to 64 bits, under every policy. Vector registers compute signed formats of
 /// 16 and 32 bits, with the exceptions that docs/batch.md lists. All others take the plain loop.
@@ -130,7 +130,7 @@ sqrt(const X& x, Out&& out, const options& how = {}) noexcept(detail::element_t<
 /// fixproof::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum
 /// can be out of range; the policy decides the result. Throws as fixproof::dot does.
 template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
-FIXED_ALWAYS_INLINE detail::element_t<A> dot(const A& a, const B& b, path use = best()) noexcept(
+[[nodiscard]] FIXED_ALWAYS_INLINE detail::element_t<A> dot(const A& a, const B& b, path use = best()) noexcept(
     detail::element_t<A>::multiply_never_throws) {
   using N = detail::element_t<A>;
   if constexpr (!detail::has_lanes<N> ||

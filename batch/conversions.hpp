@@ -30,9 +30,7 @@ concept float_range = sized<Range> && binary_float<element_t<Range>>;
 
 /// A range of float or double that can be written.
 template <class Range>
-concept float_output = float_range<Range> && requires(Range& range) {
-  { *std::data(range) } -> std::same_as<element_t<Range>&>;
-};
+concept float_output = float_range<Range> && written<Range, element_t<Range>>;
 
 }  // namespace fixproof::detail
 

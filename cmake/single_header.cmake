@@ -120,9 +120,12 @@ ${targets}${batch}
 #endif  // FIXED_LANES
 ")
 # Shorter names for macros that are used often.
-string(REPLACE "FIXED_LANE_FUNCTION" "FIXED_LANE" text "${text}")
-string(REPLACE "FIXED_ALWAYS_INLINE" "FIXED_HOT" text "${text}")
-string(REPLACE "FIXED_REFUSED_" "FIXED_NO_" text "${text}")
+foreach(pair "LANE_FUNCTION LANE" "LANE_BYTES BYTES" "ALWAYS_INLINE HOT" "REFUSED NO" "ELSEWHERE FAR")
+  string(REPLACE " " ";FIXED_" pair "FIXED_${pair}")
+  list(GET pair 0 long)
+  list(GET pair 1 short)
+  string(REPLACE ${long} ${short} text "${text}")
+endforeach()
 # Joins namespaces that one header closes and the next opens again. A name between @ marks where a header closes one.
 foreach(name fixproof fixproof::detail)
   string(REGEX REPLACE "}@${name}@\n+namespace ${name} {\n" "" text "${text}")

@@ -17,12 +17,17 @@
 
 namespace fixproof::detail {
 
+/// A range to whose elements T a batch can write. An rvalue must be a view, such as std::span,
+/// because results in a temporary are lost. `Range` is the type deduced for `Range&&`.
+template <class Range, class T>
+concept written = std::same_as<T, element_t<Range>> &&
+    requires(std::conditional_t<std::is_lvalue_reference_v<Range>, Range, const Range&> range) {
+  { *std::data(range) } -> std::same_as<T&>;
+};
+
 /// A range to which numbers N can be written.
 template <class Range, class N>
-concept output_of = number_range<Range> && std::same_as<N, element_t<Range>> &&
-    requires(Range& range) {
-  { *std::data(range) } -> std::same_as<N&>;
-};
+concept output_of = number_range<Range> && written<Range, N>;
 
 /// A range of numbers N.
 template <class Range, class N>
@@ -38,16 +43,25 @@ concept made_of = (size == 2 &&
                     T{n, n, n};
                   });
 
+/// A type that keeps numbers N as they are. Constructors may convert them, as that of glm::vec3
+/// does, so a class with constructors must have a number N as `x` or `[0]`.
+template <class T, class N>
+concept keeps = std::is_aggregate_v<T> || requires(T t) {
+  { t.x } -> std::same_as<N&>;
+} || requires(T t) {
+  { t[0] } -> std::same_as<N&>;
+};
+
 /// A range whose elements consist of exactly `size` numbers N.
 template <class Range, class N, std::size_t size>
 concept tuples_of = is_number<N> && std::is_trivially_copyable_v<element_t<Range>> &&
                         std::is_standard_layout_v<element_t<Range>> &&
                         sizeof(element_t<Range>) == size * sizeof(N) &&
-                    made_of<element_t<Range>, N, size>&& sized<Range>;
+                    made_of<element_t<Range>, N, size>&& keeps<element_t<Range>, N>&& sized<Range>;
 
 template <class Range, class N, std::size_t size>
-concept output_tuples_of = tuples_of<Range, N, size> &&
-    !std::is_const_v<std::remove_reference_t<decltype(*std::data(std::declval<Range&>()))>>;
+concept output_tuples_of = tuples_of<Range, N, size> && written<Range, element_t<Range>> &&
+    std::is_copy_assignable_v<element_t<Range>>;
 
 /// Returns a pointer to the first element, also if data() returns a class that converts to one.
 template <class Range>
@@ -115,5 +129,5 @@ void store_tuple(const std::array<N*, size>& to, std::size_t index,
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function
 #define FIXED_REFUSED_RANGES(result, name, last)                                                \
   FIXED_REFUSED_BATCH(result, name,                                                             \
-                      "the ranges of a batch have one number type; any result ranges are last " \
-                      "and not const; " last " may follow")
+                      "the ranges of a batch have one number type; any result ranges are last, " \
+                      "neither const nor temporary; " last " may follow")

@@ -17,7 +17,22 @@ concept transformed_by_q16_16 = requires(const Rows<fixproof::q16_16>& rows, std
 struct Named {
   fixproof::q16_16 x, y, z;
 };
-static_assert(transformed_by_q16_16<Vertex<fixproof::q16_16>> && transformed_by_q16_16<Named>);
+/// Like vectors of GLM: its constructor converts what it is given.
+template <class Number>
+struct Converting {
+  Converting() = default;
+  template <class A, class B, class C>
+  Converting(A a, B b, C c)
+      : x(static_cast<Number>(a)), y(static_cast<Number>(b)), z(static_cast<Number>(c)) {}
+  Number x, y, z;
+};
+struct Fixed {
+  const fixproof::q16_16 x, y, z;
+};
+static_assert(transformed_by_q16_16<Vertex<fixproof::q16_16>> && transformed_by_q16_16<Named> &&
+              transformed_by_q16_16<Converting<fixproof::q16_16>>);
+static_assert(!transformed_by_q16_16<Converting<float>> && !transformed_by_q16_16<Fixed> &&
+              !transformed_by_q16_16<Converting<fixproof::number<std::int32_t, 24>>>);
 static_assert(!transformed_by_q16_16<Vertex<float>>);
 static_assert(!transformed_by_q16_16<Vertex<fixproof::q16_16_saturating>>);
 static_assert(!transformed_by_q16_16<Point<fixproof::q16_16>>);
