@@ -130,8 +130,9 @@ sqrt(const X& x, Out&& out, const options& how = {}) noexcept(detail::element_t<
 /// fixproof::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum
 /// can be out of range; the policy decides the result. Throws as fixproof::dot does.
 template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
-[[nodiscard]] FIXED_ALWAYS_INLINE detail::element_t<A> dot(const A& a, const B& b, path use = best()) noexcept(
-    detail::element_t<A>::multiply_never_throws) {
+[[nodiscard]] FIXED_ALWAYS_INLINE detail::element_t<A> dot(
+    const A& a, const B& b,
+    path use = best()) noexcept(detail::element_t<A>::multiply_never_throws) {
   using N = detail::element_t<A>;
   if constexpr (!detail::has_lanes<N> ||
                 !detail::has_wide_sum<typename N::raw_type, N::fraction_bits>) {

@@ -239,7 +239,8 @@ TEST(Lengths, MayHaveASign) {
   fixproof::batch::sqrt(b, out);
   EXPECT_EQ(out.data()[24], fixproof::sqrt(N(2)));
   fixproof::batch::sin(a, out);
-  fixproof::batch::sin_cos(b, out, std::vector<N>(30));
+  std::vector<N> sines(30);
+  fixproof::batch::sin_cos(b, out, sines);
   EXPECT_EQ(out.data()[24], fixproof::cos(N(2)));
   EXPECT_EQ(fixproof::batch::dot(a, b), N(240));
 
