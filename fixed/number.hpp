@@ -154,7 +154,7 @@ class number {
   template <class OtherRaw, int OtherBits, policy Q, class... Nothing>
   requires(sizeof...(Nothing) == 0 && !std::same_as<number<OtherRaw, OtherBits, Q>, number>)
       number(number<OtherRaw, OtherBits, Q>, Nothing...)
-  FIXED_INSTEAD("formats convert explicitly: write q8_8(x)");
+  FIXED_INSTEAD("formats convert explicitly, as in q8_8(x)");
   template <class T>
   requires(std::is_integral_v<T> && !detail::integer<T>) number(T)
   FIXED_INSTEAD("bool and char are not numbers: convert to int, as in q16_16(int{b})");

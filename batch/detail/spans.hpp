@@ -127,7 +127,8 @@ void store_tuple(const std::array<N*, size>& to, std::size_t index,
 /// The same for a batch whose ranges all hold numbers. `last` names the argument that may follow
 /// them.
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function
-#define FIXED_REFUSED_RANGES(result, name, last)                                                 \
-  FIXED_REFUSED_BATCH(result, name,                                                              \
-                      "the ranges of a batch have one number type; any result ranges are last, " \
-                      "neither const nor temporary; " last " may follow")
+#define FIXED_REFUSED_RANGES(result, name, last)                                                \
+  FIXED_REFUSED_BATCH(                                                                          \
+      result, name,                                                                             \
+      "a batch takes arrays, vectors or spans of one number type; any result ranges are last, " \
+      "neither const nor temporary; " last " may follow")
