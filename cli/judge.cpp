@@ -181,7 +181,11 @@ int trace_case(const judge::Subject& subject, const std::string& operands) {
   }
   std::vector<std::uint32_t> words(words_in(subject.variant));
   cases::parse_words(operands, subject.variant, words);
-  std::cout << judge::trace_text(subject, words);
+  const judge::TraceText trace = judge::trace_text(subject, words);
+  std::cout << trace.steps;
+  if (trace.ending.end != judge::End::returned) {
+    std::cout << text_of(trace.ending, subject.image) << '\n';
+  }
   return 0;
 }
 

@@ -105,6 +105,7 @@ std::string text_of(const judge::Ending& ending, const judge::Image& image) {
       }
       return fmt::format("uses memory at {:x}h, where there is none, {}", ending.address, at);
     case judge::End::interrupt:
+      if (ending.number == 13) return "raises a general protection fault (#GP) " + at;
       return fmt::format("calls interrupt {:02x}h {}: routines run without a system", ending.number,
                          at);
     case judge::End::system_call:

@@ -73,12 +73,23 @@ Call::Call(const Image& image, const Frame& frame, const cases::Variant& variant
       slot_(image.bits / 8) {
   std::size_t word = 0;
   std::uint32_t data = image.data;
+  std::uint32_t bytes = 0;
   for (const Parameter& p : parameters_) {
     first_word_.push_back(word);
     data_offsets_.push_back(data);
     if (!p.is_result) word += p.numbers * static_cast<std::size_t>((p.bits + 31) / 32);
     data += static_cast<std::uint32_t>(p.numbers) * static_cast<std::uint32_t>(p.bits) / 8;
+    if (frame.on_stack) bytes += static_cast<std::uint32_t>(slots_of(p) * slot_);
   }
+  // The i386 System V ABI wants ESP + 4 to be a multiple of 16 where a routine begins; compilers
+  // rely on it for vectors.
+  bottom_ = image.stack_top;
+  if (image.bits == 32) bottom_ -= (image.stack_top - bytes) % 16;
+}
+
+int Call::slots_of(const Parameter& p) const {
+  if (p.is_pointer) return frame_.is_far ? 2 : 1;
+  return std::max(p.bits / (8 * slot_), 1);
 }
 
 void Call::push(std::uint8_t* memory, std::uint32_t value, int bytes) {
@@ -94,9 +105,8 @@ void Call::push_parameter(std::uint8_t* memory, std::size_t index,
     return push(memory, data_offsets_[index], slot_);
   }
   const std::uint64_t value = number_at(words, first_word_[index], p);
-  for (int low = (std::max(p.bits, 8 * slot_) / (8 * slot_) - 1) * 8 * slot_; low >= 0;
-       low -= 8 * slot_) {
-    push(memory, static_cast<std::uint32_t>(value >> low), slot_);
+  for (int slot = slots_of(p) - 1; slot >= 0; --slot) {
+    push(memory, static_cast<std::uint32_t>(value >> (8 * slot_ * slot)), slot_);
   }
 }
 
@@ -132,13 +142,13 @@ void Call::enter(std::uint8_t* memory, Registers& registers, std::span<const std
   for (std::uint32_t& r : registers.general) r = static_cast<std::uint32_t>(draw.bits());
   registers.flags = static_cast<std::uint32_t>(draw.bits()) & x86model::arithmetic_flags;
   put_operands(memory, words, draw);
-  top_ = image_.stack_top;
+  top_ = bottom_;
   if (frame_.on_stack) {
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
       push_parameter(memory, frame_.first_is_top ? parameters_.size() - 1 - i : i, words);
     }
   }
-  popped_ = frame_.callee_pops ? image_.stack_top : top_;
+  popped_ = frame_.callee_pops ? bottom_ : top_;
   if (frame_.is_far) push(memory, code_selector_, slot_);
   push(memory, image_.exit, slot_);
   load_registers(registers, words);

@@ -81,6 +81,8 @@ class Call {
                     cases::Draw& draw) const;
   void load_registers(Registers& registers, std::span<const std::uint32_t> words) const;
   void take_results(const std::uint8_t* memory, std::span<std::uint32_t> words) const;
+  /// Returns the number of words that a parameter takes on the stack.
+  [[nodiscard]] int slots_of(const Parameter& p) const;
   void push(std::uint8_t* memory, std::uint32_t value, int bytes);
   void push_parameter(std::uint8_t* memory, std::size_t index,
                       std::span<const std::uint32_t> words);
@@ -94,6 +96,7 @@ class Call {
   std::vector<std::uint32_t> data_offsets_;  ///< of each parameter: where its pointer points to
   std::uint16_t code_selector_;
   int slot_;                  ///< size of a pushed word in bytes
+  std::uint32_t bottom_ = 0;  ///< offset of the top of the stack before the parameters
   std::uint32_t top_ = 0;     ///< offset of the top of the stack
   std::uint32_t popped_ = 0;  ///< SP after the return
   Registers entered_;

@@ -87,6 +87,12 @@ FlagEffects flag_effects(const Line& line) {
     sets(CF, 0);
   } else if (m == "sahf") {
     sets(all & ~OF, 0);
+  } else if (m == "aam" || m == "aad") {
+    sets(of_result, CF | AF | OF);
+  } else if (m == "daa" || m == "das") {
+    sets(all & ~OF, OF);
+  } else if (m == "aaa" || m == "aas") {
+    sets(CF | AF, of_result | OF);
   }
   return effects;
 }

@@ -25,7 +25,7 @@ struct Image {
   std::vector<std::uint8_t> memory;  ///< everything that the routine can reach
   std::uint32_t first = 0;           ///< linear address of the first byte of the file
   std::uint32_t end = 0;             ///< linear address after its last byte
-  std::uint32_t reserved = 0;        ///< linear address after what an .EXE reserves behind it
+  std::uint32_t reserved = 0;        ///< linear address after what the file reserves behind it
   std::uint16_t code_segment = 0;
   std::uint16_t data_segment = 0;  ///< segment of data and stack
   std::uint32_t entry = 0;         ///< offset in the code segment

@@ -21,8 +21,9 @@ bool is_own(const Image& image, std::uint32_t address, std::uint32_t bytes) {
   const auto inside = [&](std::uint32_t first, std::uint32_t end) {
     return address >= first && address + bytes <= end;
   };
-  return inside(image.first, image.end) || inside(image.data_at(image.stack_top - stack_bytes),
-                                                  image.data_at(image.data + data_bytes));
+  return inside(image.first, std::max(image.end, image.reserved)) ||
+         inside(image.data_at(image.stack_top - stack_bytes),
+                image.data_at(image.data + data_bytes));
 }
 
 class Inspector {
@@ -112,7 +113,7 @@ Inspection inspect(const Subject& subject) {
   return inspector.inspection();
 }
 
-std::string trace_text(const Subject& subject, std::span<const std::uint32_t> words) {
+TraceText trace_text(const Subject& subject, std::span<const std::uint32_t> words) {
   const auto call = traced(subject, words);
   if (!call) throw support::UsageError("Unicorn ends while it runs this call");
   Listing listing(subject.image);
@@ -127,10 +128,12 @@ std::string trace_text(const Subject& subject, std::span<const std::uint32_t> wo
         fmt::format("{:04x}  {:<30}{}", steps[i].at, listing.at(steps[i].at).text, changes);
     text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
   }
-  if (call->answer.ending.end != End::returned) return text;
-  const auto results = std::span(call->answer.words).first(words_out(subject.variant));
-  return text +
-         fmt::format("returns {}\n", cases::hex_words(results, subject.variant.format.word_bits));
+  if (call->answer.ending.end == End::returned) {
+    const auto results = std::span(call->answer.words).first(words_out(subject.variant));
+    text +=
+        fmt::format("returns {}\n", cases::hex_words(results, subject.variant.format.word_bits));
+  }
+  return {text, call->answer.ending};
 }
 
 }  // namespace fixproof::judge

@@ -38,8 +38,11 @@ struct Inspection {
 /// @throws support::UsageError if ndisasm cannot be run; proof::Stopped
 Inspection inspect(const Subject& subject);
 
-/// Returns the steps of one call as text: each instruction with the registers that it changes, then
-/// the result.
-std::string trace_text(const Subject& subject, std::span<const std::uint32_t> words);
+/// One call as text, and how it ended.
+struct TraceText {
+  std::string steps;  ///< each instruction with the registers that it changes, then the result
+  Ending ending;
+};
+TraceText trace_text(const Subject& subject, std::span<const std::uint32_t> words);
 
 }  // namespace fixproof::judge

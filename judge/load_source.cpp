@@ -61,7 +61,8 @@ proof::Output run_nasm(const std::vector<std::string>& arguments) {
   }
 }
 
-/// Reads the symbols of NASM's map file and returns the origin.
+/// Reads the symbols of NASM's map file and the end of its sections without contents (.bss), and
+/// returns the origin.
 std::uint32_t read_map(Image& image, const std::string& map) {
   std::istringstream lines(map);
   std::string line;
@@ -79,6 +80,13 @@ std::uint32_t read_map(Image& image, const std::string& map) {
     const auto [stop, error] = std::from_chars(first.data(), end, value, 16);
     if (first.empty() || error != std::errc() || stop != end) continue;
     if (part == "Program") origin = value;
+    // The line goes on with the end, the length and the class.
+    std::string length;
+    std::string kind;
+    if (part == "Section" && words >> length >> kind && kind == "nobits") {
+      image.reserved = std::max(
+          image.reserved, value + static_cast<std::uint32_t>(std::stoul(length, nullptr, 16)));
+    }
     // The second number is the address for which the code is assembled.
     if (part == "Symbols" && !name.empty()) {
       std::from_chars(second.data(), second.data() + second.size(), value, 16);
@@ -134,7 +142,7 @@ void load_source(Image& image, const std::string& path) {
   const std::string name = path.starts_with('-') ? "./" + path : path;
   const proof::Output output =
       run_nasm({"--before", fmt::format("[bits {}]", image.bits), "--before",
-                fmt::format("[map symbols {}]", map), "-o", code, name});
+                fmt::format("[map brief symbols {}]", map), "-o", code, name});
   if (!output.in_time) throw UsageError("nasm does not finish");
   if (output.status != 0) {
     // The text is "FILE:LINE: error: what"; load() adds the file.

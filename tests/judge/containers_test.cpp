@@ -40,6 +40,16 @@ TEST(Containers, AFlatBinary) {
          0, {"flat binary, routine at 0002h, 32-bit code", "AGREES on 20,000 cases"});
 }
 
+TEST(Containers, ASourceWithAnOriginAndMemoryWithoutContents) {
+  const ScratchFolder folder;
+  const std::string source =
+      "org 100h\nmov bx, sp\nmov eax, [bx+2]\nimul dword [bx+6]\nadd eax, [half]\nadc edx, 0\n"
+      "shrd eax, edx, 16\nmov [kept], eax\nshld edx, eax, 16\nret\nhalf: dd 8000h\n"
+      "section .bss\nkept: resd 1\n";
+  expect(judge(folder.write("origin.asm", source), "--as|mul" + few), 0,
+         {"routine at 0100h, 16-bit code", "AGREES on 20,000 cases", "no foreign memory is used"});
+}
+
 TEST(Containers, AComProgram) {
   const ScratchFolder folder;
   const std::string code =

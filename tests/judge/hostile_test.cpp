@@ -64,6 +64,10 @@ TEST(Hostile, AnInstructionOfTheSystem) { expect_broken("hlt", "halts the proces
 
 TEST(Hostile, APort) { expect_broken("in al, 0x60\nret", "uses an input or output port at 0000h"); }
 
+TEST(Hostile, AFarReturnToNoSegment) {
+  expect_broken("retf", "raises a general protection fault (#GP) at 0000h");
+}
+
 TEST(Hostile, SelfModification) {
 #ifdef JUDGE_SANITIZED
   GTEST_SKIP() << "the process with AddressSanitizer has too little memory for a million cases";

@@ -263,6 +263,38 @@ TEST(Judge, ATraceHasEachInstruction) {
           "returns 00030000"});
 }
 
+TEST(Judge, ATraceSaysHowACallEnds) {
+  const ScratchFolder folder;
+  const std::string words = in_registers + "|--trace|00018000 00020000";
+  expect(judge(folder.write("divides.asm", "xor ecx, ecx\ndiv ecx\nret\n"), words), 0,
+         {"0002  div ecx\nraises a divide error (#DE) at 0002h\n"});
+  expect(judge(folder.write("waits.asm", "again: jmp again\n"), words), 0, {"\ndoes not end\n"});
+}
+
+TEST(Judge, DecimalAdjustmentsDefineFlags) {
+  const ScratchFolder folder;
+  // MUL leaves ZF undefined, and AAM defines it.
+  const std::string source =
+      "imul ebx\nshrd eax, edx, 16\nmov ecx, eax\naam\njz done\ndone: mov eax, ecx\nret\n";
+  expect(judge(folder.write("aam.asm", source), in_registers + "|--cases|5000"), 0,
+         {"no undefined flag is read"});
+}
+
+TEST(Judge, TheStackOf32BitRoutinesIsAligned) {
+  const ScratchFolder folder;
+  // The routine answers 0 if ESP + 4 is not a multiple of 16 where it begins.
+  const std::string source =
+      "bits 32\nmov eax, [esp+4]\nimul dword [esp+8]\nshrd eax, edx, 16\nlea ecx, [esp+4]\n"
+      "test ecx, 15\njz done\nxor eax, eax\ndone: ret\n";
+  for (const char* frame : {"c", "stdcall"}) {
+    const std::string ending = std::string(frame) == "c" ? "ret\n" : "ret 8\n";
+    const std::string code = source.substr(0, source.size() - 4) + ending;
+    expect(judge(folder.write("stack.asm", code),
+                 std::string("--as|mul|--cases|5000|--frame|") + frame),
+           0, {"AGREES on 5,000 cases"});
+  }
+}
+
 TEST(Judge, AListingAssemblesAgain) {
   const ScratchFolder folder;
   for (const char* name : {"mul", "mul_c", "mul_cdecl", "faults_for_four", "one_in_4g"}) {
