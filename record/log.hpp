@@ -34,6 +34,11 @@ struct place {
 /// No place. The place of the record before remains in force.
 inline constexpr place nowhere{"", 0};
 
+// A program and its shared libraries share these and the state of a thread, also under
+// -fvisibility=hidden: a log has the operations of all of them.
+#if defined(__ELF__)
+#pragma GCC visibility push(default)
+#endif
 class log;
 
 namespace detail {
@@ -51,6 +56,9 @@ inline constinit thread_local word current_left = 0;
 /// different threads differs from run to run.
 inline constinit thread_local log* current_log = nullptr;
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
+#if defined(__ELF__)
+#pragma GCC visibility pop
+#endif
 
 /// Takes a record at which `current_left` would become 0. Returns what it becomes instead.
 word taken(const word* words, std::size_t count, place from) noexcept;

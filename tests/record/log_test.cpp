@@ -12,6 +12,7 @@
 #define FIXPROOF_RECORD 1
 #include "desync/compare.hpp"
 #include "tests/record/either.hpp"
+#include "tests/record/shared_library.hpp"
 #include "tests/record/sim.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -49,6 +50,14 @@ class Log : public testing::Test {
  private:
   ScratchFolder folder_;
 };
+
+TEST_F(Log, HasTheOperationsOfSharedLibraries) {
+  const record::log log(path("one.log"));
+  const Recorded x(q16_16(3));
+  const std::uint64_t before = record::where().records;
+  EXPECT_EQ(square_and_sum_in_library(x).plain(), q16_16(12));
+  EXPECT_EQ(record::where().records - before, 2U);
+}
 
 TEST_F(Log, MayReplaceAnOlderOneThatIsDestroyedFirst) {
   auto log = std::make_unique<record::log>(path("one.log"));
