@@ -82,9 +82,9 @@ FIXED_ALWAYS_INLINE batch::report project_all(
 
 /// What the refusal of a transform says.
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): an attribute needs a literal
-#define FIXED_TRANSFORM_TAKES                                                                  \
-  "rows are std::array<std::array<N, 4>, 3>, and a vertex has 3 numbers N; results come last " \
-  "and are not const; options may follow"
+#define FIXED_TRANSFORM_TAKES                                                                   \
+  "rows are std::array<std::array<N, 4>, 3>, and a vertex has 3 numbers N; results come last, " \
+  "neither const nor temporary; options may follow"
 
 namespace fixproof::batch {
 
@@ -168,7 +168,7 @@ template <detail::sized Rows, detail::sized X, class... T>
 report fused_transform(const Rows&, const X&, const T&...) FIXED_INSTEAD(FIXED_TRANSFORM_TAKES);
 FIXED_REFUSED_BATCH(report, project,
                     "a vertex has 3 numbers N, a point has 2, and the constant is an N; points "
-                    "come last and are not const; options may follow")
+                    "come last, neither const nor temporary; options may follow")
 /// \endcond
 
 }  // namespace fixproof::batch

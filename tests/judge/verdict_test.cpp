@@ -285,13 +285,11 @@ TEST(Judge, TheStackOf32BitRoutinesIsAligned) {
   // The routine answers 0 if ESP + 4 is not a multiple of 16 where it begins.
   const std::string source =
       "bits 32\nmov eax, [esp+4]\nimul dword [esp+8]\nshrd eax, edx, 16\nlea ecx, [esp+4]\n"
-      "test ecx, 15\njz done\nxor eax, eax\ndone: ret\n";
-  for (const char* frame : {"c", "stdcall"}) {
-    const std::string ending = std::string(frame) == "c" ? "ret\n" : "ret 8\n";
-    const std::string code = source.substr(0, source.size() - 4) + ending;
-    expect(judge(folder.write("stack.asm", code),
-                 std::string("--as|mul|--cases|5000|--frame|") + frame),
-           0, {"AGREES on 5,000 cases"});
+      "test ecx, 15\njz done\nxor eax, eax\ndone: ";
+  for (const auto& [frame, ending] : {std::pair("c", "ret\n"), std::pair("stdcall", "ret 8\n")}) {
+    const auto file = folder.write("stack.asm", source + ending);
+    expect(judge(file, std::string("--as|mul|--cases|5000|--frame|") + frame), 0,
+           {"AGREES on 5,000 cases"});
   }
 }
 
