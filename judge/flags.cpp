@@ -44,6 +44,8 @@ std::uint16_t read_by(std::string_view m) {
   if (m == "adc" || m == "sbb" || m == "rcl" || m == "rcr" || m == "cmc") return CF;
   if (m == "loope" || m == "loopne") return ZF;
   if (m == "into") return OF;
+  if (m == "daa" || m == "das") return CF | AF;
+  if (m == "aaa" || m == "aas") return AF;
   for (const std::string_view prefix : {"j", "set", "cmov"}) {
     if (!m.starts_with(prefix)) continue;
     if (const auto read = read_by_condition(m.substr(prefix.size()))) return *read;

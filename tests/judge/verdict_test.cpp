@@ -271,13 +271,18 @@ TEST(Judge, ATraceSaysHowACallEnds) {
   expect(judge(folder.write("waits.asm", "again: jmp again\n"), words), 0, {"\ndoes not end\n"});
 }
 
-TEST(Judge, DecimalAdjustmentsDefineFlags) {
+TEST(Judge, DecimalAdjustmentsDefineAndReadFlags) {
   const ScratchFolder folder;
-  // MUL leaves ZF undefined, and AAM defines it.
-  const std::string source =
-      "imul ebx\nshrd eax, edx, 16\nmov ecx, eax\naam\njz done\ndone: mov eax, ecx\nret\n";
-  expect(judge(folder.write("aam.asm", source), in_registers + "|--cases|5000"), 0,
-         {"no undefined flag is read"});
+  // MUL leaves ZF and AF undefined. AAM defines ZF, and DAA reads AF.
+  const auto expect_of = [&](const std::string& name, int status, const std::string& said) {
+    const std::string source = "imul ebx\nshrd eax, edx, 16\nmov ecx, eax\nmul dl\n" + name +
+                               "\njz done\ndone: mov eax, ecx\nret\n";
+    expect(judge(folder.write(name + ".asm", source), in_registers + "|--cases|5000"), status,
+           {said});
+  };
+  expect_of("aam", 0, "no undefined flag is read");
+  expect_of("aad", 0, "no undefined flag is read");
+  expect_of("daa", 1, "READS AN UNDEFINED FLAG: daa");
 }
 
 TEST(Judge, TheStackOf32BitRoutinesIsAligned) {
