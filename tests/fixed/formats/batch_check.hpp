@@ -76,6 +76,12 @@ std::ostream& operator<<(std::ostream& out, const Type& type);
 
 enum class Fault { none, divide_error, overflow, domain_error };
 
+/// Whether an operation of overflow rule O throws for a fault.
+template <overflow O>
+bool throws_by(Fault fault) {
+  return fault != Fault::none && O == overflow::trap;
+}
+
 /// The stored integer of one result, and its fault.
 struct Result {
   integer raw;

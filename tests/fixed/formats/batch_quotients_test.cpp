@@ -1,0 +1,45 @@
+/// Tests batches of quotients in every named format under every rounding rule and every rule for
+/// overflow and division against exact integers.
+#include "tests/fixed/formats/batch_check.hpp"
+#include "tests/fixed/formats/types.hpp"
+
+namespace batch_formats {
+namespace {
+
+namespace batch = fixproof::batch;
+
+constexpr auto quotients = []<class N>() {
+  const Type type = Type::of<N>();
+  check({type,
+         [=](const integer& x, const integer& y, const integer&) { return quotient(type, x, y); },
+         [](const Spans& of, const auto& how) {
+           return batch::divide(of.in<N>(0), of.in<N>(1), of.out<N>(), how);
+         },
+         [](Fault fault) {
+           const bool has_faults = N::rules.fault != fixproof::divide_fault::none;
+           return (fault == Fault::divide_error && has_faults) ||
+                  throws_by<N::rules.quotient_range()>(fault);
+         }});
+};
+
+constexpr policy saturate_or_fault{.range = overflow::saturate,
+                                   .fault = fixproof::divide_fault::signed_quotient};
+
+TEST(BatchesOfQuotients, HalfUpWrap) { under<fixproof::policies::wrapping>(quotients); }
+TEST(BatchesOfQuotients, HalfEvenSaturate) { under<formats::even_saturate>(quotients); }
+TEST(BatchesOfQuotients, HalfAwayTrap) { under<formats::away_trap>(quotients); }
+TEST(BatchesOfQuotients, TruncateSaturateAndSumsTrap) { under<formats::mixed>(quotients); }
+TEST(BatchesOfQuotients, FloorWrap) { under<formats::floor_wrap>(quotients); }
+TEST(BatchesOfQuotients, UnsignedFault) { under<fixproof::policies::i386_rounded>(quotients); }
+TEST(BatchesOfQuotients, SignedFault) { under<saturate_or_fault>(quotients); }
+
+using formats_of_one =
+    std::tuple<fixproof::q8_0, fixproof::q4_4, fixproof::u4_4, fixproof::q12_4, fixproof::q4_12,
+               fixproof::q2_14, fixproof::u8_8, fixproof::q32_0, fixproof::q24_8, fixproof::q8_24,
+               fixproof::q2_30, fixproof::u16_16, fixproof::q48_16, fixproof::u32_32>;
+TEST(BatchesOfQuotients, WholeDivisors) {
+  under<fixproof::policies::i8088_rounded, formats_of_one>(quotients);
+}
+
+}  // namespace
+}  // namespace batch_formats
