@@ -260,7 +260,7 @@ class number {
   }
 
   /// x * 2^places, exact. The policy handles overflow, as in x + x. A negative `places` shifts
-  /// right.
+  /// right. Places may be of any integer type and have any value.
   [[nodiscard]] friend constexpr number operator<<(number x, int places) noexcept(never_throws) {
     if (places < 0) return x >> (places < -64 ? 64 : -places);
     return from_raw(
@@ -277,6 +277,16 @@ class number {
     const Raw almost = static_cast<Raw>(x.raw_ >> (places < most ? places : most));
     return from_raw(places > most ? static_cast<Raw>(almost >> 1) : almost);
   }
+  /// \cond: without these, clang++ prefers to shift an integer if `places` is not an int.
+  [[nodiscard]] friend constexpr number operator<<(number x, detail::integer auto places) noexcept(
+      never_throws) {
+    return x << detail::places_of(places);
+  }
+  [[nodiscard]] friend constexpr number operator>>(number x, detail::integer auto places) noexcept(
+      never_throws) {
+    return x >> detail::places_of(places);
+  }
+  /// \endcond
 
   /// Adds b. If this throws, the number is unchanged and the error names operator+.
   FIXED_INLINE_UNOPTIMISED constexpr number& operator+=(number b) noexcept(never_throws) {
@@ -299,11 +309,13 @@ class number {
   /// The remainder of a division by b. The number is unchanged if operator% throws.
   constexpr number& operator%=(number b) noexcept(divide_never_throws) { return *this = *this % b; }
   /// Shifts left. The number is unchanged if operator<< throws.
-  constexpr number& operator<<=(int places) noexcept(never_throws) {
+  constexpr auto operator<<=(auto places) noexcept(never_throws)
+      -> decltype(*this = *this << places) {
     return *this = *this << places;
   }
   /// Shifts right. The number is unchanged if operator>> throws.
-  constexpr number& operator>>=(int places) noexcept(never_throws) {
+  constexpr auto operator>>=(auto places) noexcept(never_throws)
+      -> decltype(*this = *this >> places) {
     return *this = *this >> places;
   }
 
@@ -542,6 +554,15 @@ using q8_8_i8088_mul_rounded = number<std::int16_t, 8, policies::i8088_mul_round
 using q8_8_i8088_div_rounded = number<std::int16_t, 8, policies::i8088_div_rounded>;
 using q8_8_i8088_unrounded = number<std::int16_t, 8, policies::i8088_unrounded>;
 /// \}
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_plain_number = false;
+template <class Raw, int F, policy P>
+inline constexpr bool is_plain_number<number<Raw, F, P>> = true;
+
+}  // namespace detail
 
 }  // namespace fixproof
 

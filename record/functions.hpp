@@ -52,6 +52,14 @@ namespace fixproof {
         from, [](N a, N b, N c) { return fixproof::name(a, b, c); }, x.value_, y.value_,      \
         z.value_);                                                                            \
   }
+// For two recorded numbers after `using std::max;`: more specialised than std::max.
+#define FIXPROOF_RECORDED_PAIR(name)                                                              \
+  template <class N>                                                                              \
+  [[nodiscard]] constexpr recorded_number<N>(name)(recorded_number<N> x, recorded_number<N> y,    \
+                                                   record::place from = FIXPROOF_HERE) noexcept { \
+    return record::detail::logged<record::kind::name, N>(                                         \
+        from, [](N a, N b) { return (fixproof::name)(a, b); }, x.value_, y.value_);               \
+  }
 // NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
 
 FIXPROOF_RECORDED_1(floor, floor)
@@ -61,6 +69,8 @@ FIXPROOF_RECORDED_1(trunc, trunc)
 FIXPROOF_RECORDED_1(abs, abs)
 FIXPROOF_RECORDED_2(min, min)
 FIXPROOF_RECORDED_2(max, max)
+FIXPROOF_RECORDED_PAIR(min)
+FIXPROOF_RECORDED_PAIR(max)
 FIXPROOF_RECORDED_1(sqrt, sqrt)
 FIXPROOF_RECORDED_3(mul_add, mul_add)
 FIXPROOF_RECORDED_3(lerp, lerp)
@@ -104,6 +114,7 @@ FIXPROOF_RECORDED_1(acos, acos)
 #undef FIXPROOF_RECORDED_1
 #undef FIXPROOF_RECORDED_2
 #undef FIXPROOF_RECORDED_3
+#undef FIXPROOF_RECORDED_PAIR
 /// \endcond
 
 /// \name Functions with two results

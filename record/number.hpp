@@ -182,6 +182,14 @@ class recorded_number {
   friend constexpr recorded_number& operator op##=(target x, int places) noexcept(never_throws) { \
     return x.value = record::detail::logged<record::kind::name, Number>(                          \
                x.from, [](Number a, int n) { return a op n; }, x.value.value_, places);           \
+  }                                                                                               \
+  [[nodiscard]] friend constexpr recorded_number operator op(                                     \
+      operand x, detail::integer auto places) noexcept(never_throws) {                            \
+    return x op detail::places_of(places);                                                        \
+  }                                                                                               \
+  friend constexpr recorded_number& operator op##=(                                               \
+      target x, detail::integer auto places) noexcept(never_throws) {                             \
+    return operator op##=(x, detail::places_of(places));                                          \
   }
 #define FIXPROOF_RECORDED_STEP(op, name)                                                   \
   friend constexpr recorded_number& operator op##op(target x) noexcept(never_throws) {     \

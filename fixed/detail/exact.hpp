@@ -2,6 +2,8 @@
 /// Results of operations on stored integers before they are narrowed to the range.
 #pragma once
 
+#include <utility>
+
 #include "fixed/detail/inlining.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/storage.hpp"
@@ -47,6 +49,12 @@ constexpr mul_add_t<Raw, FractionBits> rounded_mul_add(Raw a, Raw b, Raw c) noex
   using wide = mul_add_t<Raw, FractionBits>;
   const wide sum = wide{a} * wide{b} + wide{c} * (wide{1} << FractionBits);
   return shift_right<R>(sum, FractionBits);
+}
+
+/// The places of a shift as an int. Those that no int holds shift all bits out, as 64 do.
+template <integer Int>
+constexpr int places_of(Int places) noexcept {
+  return std::in_range<int>(places) ? static_cast<int>(places) : places > 0 ? 64 : -64;
 }
 
 /// a * 2^places, toward -infinity. More places than the width of Raw count as its width, for which

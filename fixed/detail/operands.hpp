@@ -15,11 +15,6 @@ template <class Number>
 inline constexpr bool has_functions = bits_of<typename Number::raw_type> <= 32;
 
 template <class T>
-inline constexpr bool is_plain_number = false;
-template <class Raw, int F, policy P>
-inline constexpr bool is_plain_number<number<Raw, F, P>> = true;
-
-template <class T>
 concept number_or_arithmetic = std::is_arithmetic_v<T> || is_plain_number<T>;
 
 template <class... T>

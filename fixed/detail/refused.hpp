@@ -56,12 +56,15 @@ template <detail::integer Int, class Raw, int F, policy P>
 number<Raw, F, P> operator/(Int, number<Raw, F, P>)
     FIXED_INSTEAD("an integer cannot be divided by a number: write q16_16(1) / x");
 
-template <class A, int FA, policy PA, class B, int FB, policy PB>
-number<A, FA, PA> operator<<(number<A, FA, PA>, number<B, FB, PB>)
-    FIXED_INSTEAD("a shift counts places in an int: x << static_cast<int>(n)");
-template <class A, int FA, policy PA, class B, int FB, policy PB>
-number<A, FA, PA> operator>>(number<A, FA, PA>, number<B, FB, PB>)
-    FIXED_INSTEAD("a shift counts places in an int: x >> static_cast<int>(n)");
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): likewise
+#define FIXED_REFUSED_SHIFT(op)                                                    \
+  template <class Raw, int F, policy P, class T>                                   \
+  requires(std::floating_point<T> || detail::is_plain_number<T>) number<Raw, F, P> \
+  operator op(number<Raw, F, P>, T)                                                \
+      FIXED_INSTEAD("a shift counts whole places: x " #op " static_cast<int>(n)");
+FIXED_REFUSED_SHIFT(<<)
+FIXED_REFUSED_SHIFT(>>)
+#undef FIXED_REFUSED_SHIFT
 /// \endcond
 
 }  // namespace fixproof

@@ -1,5 +1,5 @@
 /// Tests every operator between a number and an integer against exact fractions: edges of the type
-/// with edges of the integer, for integers of 8 to 64 bits.
+/// with edges of the integer, and shifts by the integer, for integers of 8 to 64 bits.
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -43,6 +43,14 @@ exact::outcome<Number> quotient(Number n, Int d) {
       exact::round(exact::ratio(integer{n.raw()}, integer{d}), Number::rules.divide));
 }
 
+/// x * 2^places toward -infinity.
+integer shifted(const integer& x, const integer& places) {
+  const integer most = 64;  // which shifts all bits of x out of the range
+  if (places >= 0) return x * (integer{1} << static_cast<int>(places < most ? places : most));
+  const integer divisor = integer{1} << static_cast<int>(-places < most ? -places : most);
+  return exact::round(exact::ratio(x, divisor), fixproof::rounding::floor);
+}
+
 /// Returns the first operation with a wrong result, or null.
 template <class Number, class Int>
 [[gnu::noinline]] const char* first_wrong(Number a, Int b) {
@@ -59,6 +67,8 @@ template <class Number, class Int>
   if (differs(exact::in_range<Number>(x * n), [&] { return a * b; })) return "a * b";
   if (differs(exact::in_range<Number>(x * n), [&] { return b * a; })) return "b * a";
   if (differs(quotient(a, b), [&] { return a / b; })) return "a / b";
+  if (differs(exact::in_range<Number>(shifted(x, n)), [&] { return a << b; })) return "a << b";
+  if (differs(exact::in_range<Number>(shifted(x, -n)), [&] { return a >> b; })) return "a >> b";
   if ((a == b) != (x == y) || (b == a) != (x == y) || (a != b) != (x != y)) return "a == b";
   if ((a < b) != (x < y) || (a <= b) != (x <= y) || (a > b) != (x > y)) return "a <=> b";
   if ((b < a) != (y < x) || (b >= a) != (y >= x)) return "b <=> a";
@@ -122,6 +132,26 @@ static_assert(!from<bool> && !from<char> && !from<wchar_t> && !from<char8_t> && 
 static_assert(multiplies<int> && multiplies<long long> && !multiplies<bool> && !multiplies<char> &&
               !multiplies<double>);
 static_assert(!std::is_convertible_v<int, fixproof::q16_16>);
+
+template <class T>
+concept shifts_by = requires(fixproof::q16_16 x, T places) {
+  x << places;
+  x >> places;
+  x <<= places;
+  x >>= places;
+};
+enum Places : unsigned char { three = 3 };
+static_assert(shifts_by<int> && shifts_by<unsigned> && shifts_by<std::size_t> && shifts_by<Places>);
+static_assert(!shifts_by<double> && !shifts_by<float> && !shifts_by<fixproof::q16_16> &&
+              !shifts_by<fixproof::q8_8>);
+static_assert((fixproof::q16_16(1) << three) == 8 && (fixproof::q16_16(8) >> three) == 1);
+static_assert([] {
+  fixproof::q16_16 x(3);
+  x <<= 4U;
+  x >>= std::uint64_t{3};
+  x <<= three;
+  return x >>= 1;
+}() == 24);
 
 // Beyond every range, an integer still counts modulo the range where the policy wraps.
 static_assert(fixproof::q8_8(0.5) * 200 == 100 && fixproof::q16_16(1) * 65537 == 1);

@@ -3,6 +3,7 @@
 // here.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -195,6 +196,12 @@ TYPED_TEST(Interface, Operators) {
     return x;
   }(a));
   RECORDS([](auto x) {
+    x <<= 2U;
+    return x;
+  }(a));
+  RECORDS(a << 2U);
+  RECORDS(a >> std::size_t{2});
+  RECORDS([](auto x) {
     ++x;
     return x;
   }(a));
@@ -266,6 +273,14 @@ TYPED_TEST(Interface, Functions) {
   RECORDS((abs)(a));
   RECORDS((min)(a, b));
   RECORDS((max)(a, b));
+  RECORDS([](auto x, auto y) {
+    using std::min;
+    return min(x, y);
+  }(a, b));
+  RECORDS([](auto x, auto y) {
+    using std::max;
+    return max(x, y);
+  }(a, b));
   RECORDS(sqrt(a));
   RECORDS(mul_add(a, b, c));
   RECORDS(lerp(a, b, c));
