@@ -214,7 +214,8 @@ template <any_number N>
 /// \name a * 2^places
 /// \{
 
-/// a * 2^places. A negative `places` shifts right, toward -infinity, as in a << places.
+/// a * 2^places. A negative `places` shifts right, toward -infinity, as in a << places. Unlike
+/// there, `places` is an int.
 template <any_number N>
 [[nodiscard]] constexpr std::optional<N> checked_shift_left(N a, int places) noexcept {
   return detail::if_in_range<N>(detail::exact_shift_left(a.raw(), places));

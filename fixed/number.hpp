@@ -260,7 +260,7 @@ class number {
   }
 
   /// x * 2^places, exact. The policy handles overflow, as in x + x. A negative `places` shifts
-  /// right. Places may be of any integer type and have any value.
+  /// right. `places` has any integer type of 8 to 64 bits, and any value.
   [[nodiscard]] friend constexpr number operator<<(number x, int places) noexcept(never_throws) {
     if (places < 0) return x >> (places < -64 ? 64 : -places);
     return from_raw(
@@ -277,7 +277,9 @@ class number {
     const Raw almost = static_cast<Raw>(x.raw_ >> (places < most ? places : most));
     return from_raw(places > most ? static_cast<Raw>(almost >> 1) : almost);
   }
-  /// \cond: without these, clang++ prefers to shift an integer if `places` is not an int.
+  /// \cond
+  // Without these, an unsigned or wider `places` is ambiguous under clang++, and g++ warns, because
+  // a shift of built-in integers takes it as it is.
   [[nodiscard]] friend constexpr number operator<<(number x, detail::integer auto places) noexcept(
       never_throws) {
     return x << detail::places_of(places);
@@ -308,6 +310,7 @@ class number {
   constexpr number& operator/=(number b) noexcept(divide_never_throws) { return *this = *this / b; }
   /// The remainder of a division by b. The number is unchanged if operator% throws.
   constexpr number& operator%=(number b) noexcept(divide_never_throws) { return *this = *this % b; }
+  // Were `places` an int, these would take 1.5.
   /// Shifts left. The number is unchanged if operator<< throws.
   constexpr auto operator<<=(auto places) noexcept(never_throws)
       -> decltype(*this = *this << places) {

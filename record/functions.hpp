@@ -52,7 +52,8 @@ namespace fixproof {
         from, [](N a, N b, N c) { return fixproof::name(a, b, c); }, x.value_, y.value_,      \
         z.value_);                                                                            \
   }
-// For two recorded numbers after `using std::max;`: more specialised than std::max.
+// After `using std::max;`, a call with two recorded numbers prefers this to std::max, because it is
+// more specialised.
 #define FIXPROOF_RECORDED_PAIR(name)                                                              \
   template <class N>                                                                              \
   [[nodiscard]] constexpr recorded_number<N>(name)(recorded_number<N> x, recorded_number<N> y,    \

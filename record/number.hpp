@@ -190,7 +190,9 @@ class recorded_number {
   friend constexpr recorded_number& operator op##=(                                               \
       target x, detail::integer auto places) noexcept(never_throws) {                             \
     return operator op##=(x, detail::places_of(places));                                          \
-  }
+  }                                                                                               \
+  friend recorded_number operator op(operand, std::floating_point auto) = delete;                 \
+  friend recorded_number& operator op##=(target, std::floating_point auto) = delete;
 #define FIXPROOF_RECORDED_STEP(op, name)                                                   \
   friend constexpr recorded_number& operator op##op(target x) noexcept(never_throws) {     \
     return x.value = record::detail::logged<record::kind::name##_integer, Number>(         \

@@ -51,7 +51,7 @@ constexpr mul_add_t<Raw, FractionBits> rounded_mul_add(Raw a, Raw b, Raw c) noex
   return shift_right<R>(sum, FractionBits);
 }
 
-/// The places of a shift as an int. Those that no int holds shift all bits out, as 64 do.
+/// Places as an int. Those beyond its range become 64 or -64, which shift all bits out.
 template <integer Int>
 constexpr int places_of(Int places) noexcept {
   return std::in_range<int>(places) ? static_cast<int>(places) : places > 0 ? 64 : -64;

@@ -2,6 +2,7 @@
 /// Operators and functions that do not compile, and what to write instead.
 #pragma once
 
+#include <concepts>
 #include <type_traits>
 
 #include "fixed/detail/instead.hpp"

@@ -239,6 +239,13 @@ TEST(Judge, ARoutineMaySwitchAlignmentChecksOn) {
   expect_agreement("mov ecx, [esp-3]\nret\n", "(it faults on this processor, but not on Unicorn)");
 }
 
+TEST(Judge, AFaultOnTheProcessorAloneIsANote) {
+  const ScratchFolder folder;
+  const std::string source = "imul ebx\nshrd eax, edx, 16\nmovaps xmm0, [esp+8]\nret\n";
+  expect(judge(folder.write("misaligned.asm", source), in_registers + "|--cases|5000"), 0,
+         {"(it faults on this processor, but not on Unicorn)", "AGREES on 5,000 cases"});
+}
+
 TEST(Judge, AProductOverADivisor) {
   expect(
       judge(routine("muldiv"), "--bits|32|--frame|eax, ebx, ecx -> eax|--as|muldiv|--cases|100000"),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -412,6 +413,9 @@ inline constexpr bool refuses = !requires(T a) {
 &&!requires(T a) { a == 0.5; }
 &&!requires(T a) { 1 / a; }
 &&!requires(T a, recorded<q8_8> b) { a + b; }
+&&!requires(T a) { a << 1.5; }
+&&!requires(T a) { a >>= 1.5; }
+&&!requires(T a) { a << a; }
 &&!requires(T a) { a & 1; }
 &&!requires(T a) { T::from_raw(1.5); }
 &&!std::is_convertible_v<int, T> && !std::is_convertible_v<T, int> &&
