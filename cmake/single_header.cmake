@@ -120,7 +120,7 @@ ${targets}${batch}
 #endif  // FIXED_LANES
 ")
 # Shorter names for macros: tests/import/own_tests limits the size.
-foreach(pair "LANE_FUNCTION LANE" "LANE_BYTES BYTES" "ALWAYS_INLINE HOT" "INLINE_UNOPTIMISED HOT0" "REFUSED_OPERATOR NO_OP"
+foreach(pair "LANE_FUNCTION FN" "LANE_BYTES BYTES" "ALWAYS_INLINE HOT" "INLINE_UNOPTIMISED HOT0" "REFUSED_OPERATOR NO_OP"
     "REFUSED NO" "ELSEWHERE FAR" "LITERAL LIT" "INSTEAD USE" "SURE_OF_AVX512 SURE")
   string(REPLACE " " ";FIXED_" pair "FIXED_${pair}")
   list(GET pair 0 long)

@@ -310,17 +310,24 @@ class number {
   constexpr number& operator/=(number b) noexcept(divide_never_throws) { return *this = *this / b; }
   /// The remainder of a division by b. The number is unchanged if operator% throws.
   constexpr number& operator%=(number b) noexcept(divide_never_throws) { return *this = *this % b; }
-  // Were `places` an int, these would take 1.5.
   /// Shifts left. The number is unchanged if operator<< throws.
-  constexpr auto operator<<=(auto places) noexcept(never_throws)
-      -> decltype(*this = *this << places) {
+  constexpr number& operator<<=(int places) noexcept(never_throws) {
     return *this = *this << places;
   }
   /// Shifts right. The number is unchanged if operator>> throws.
-  constexpr auto operator>>=(auto places) noexcept(never_throws)
-      -> decltype(*this = *this >> places) {
+  constexpr number& operator>>=(int places) noexcept(never_throws) {
     return *this = *this >> places;
   }
+  /// \cond
+  constexpr number& operator<<=(detail::integer auto places) noexcept(never_throws) {
+    return *this = *this << places;
+  }
+  constexpr number& operator>>=(detail::integer auto places) noexcept(never_throws) {
+    return *this = *this >> places;
+  }
+  number& operator<<=(std::floating_point auto) = delete;
+  number& operator>>=(std::floating_point auto) = delete;
+  /// \endcond
 
   /// \name Integers
   /// An integer has its exact value, even if the type cannot represent it. An integer divided by a
