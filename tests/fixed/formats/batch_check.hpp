@@ -20,6 +20,10 @@ using fixproof::policy;
 using fixproof::batch::path;
 using reference::integer;
 
+/// A projection may have a divide error in one coordinate while the other only overflows.
+inline constexpr policy saturate_or_fault{.range = overflow::saturate,
+                                          .fault = fixproof::divide_fault::signed_quotient};
+
 /// Every format that fixed/number.hpp and fixed/formats.hpp name.
 using formats_8 =
     std::tuple<fixproof::q8_0, fixproof::q4_4, fixproof::q1_7, fixproof::u4_4, fixproof::u0_8>;

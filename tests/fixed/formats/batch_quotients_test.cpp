@@ -22,9 +22,6 @@ constexpr auto quotients = []<class N>() {
          }});
 };
 
-constexpr policy saturate_or_fault{.range = overflow::saturate,
-                                   .fault = fixproof::divide_fault::signed_quotient};
-
 TEST(BatchesOfQuotients, HalfUpWrap) { under<fixproof::policies::wrapping>(quotients); }
 TEST(BatchesOfQuotients, HalfEvenSaturate) { under<formats::even_saturate>(quotients); }
 TEST(BatchesOfQuotients, HalfAwayTrap) { under<formats::away_trap>(quotients); }

@@ -171,10 +171,6 @@ constexpr policy products_saturate{.multiply = fixproof::rounding::half_even,
                                    .products = overflow::saturate};
 constexpr policy quotients_saturate{.quotients = overflow::saturate};
 
-/// A quotient may be a divide error while the other coordinate only overflows.
-constexpr policy saturate_or_fault{.range = overflow::saturate,
-                                   .fault = fixproof::divide_fault::signed_quotient};
-
 TEST(BatchesOfDots, HalfUpWrap) { under<fixproof::policies::wrapping>(dots); }
 TEST(BatchesOfDots, HalfEvenSaturate) { under<formats::even_saturate>(dots); }
 TEST(BatchesOfDots, HalfAwayTrap) { under<formats::away_trap>(dots); }
