@@ -28,6 +28,8 @@ std::string_view why(Downfall downfall) {
       return "its process ran out of memory";
     case Downfall::crashed:
       return "its process was ended by a signal";
+    case Downfall::false_reply:
+      return "its process sent a false reply";
     default:
       return "its process ended";
   }

@@ -16,6 +16,7 @@
 #include <system_error>
 #include <utility>
 
+#include "judge/message.hpp"
 #include "judge/system_calls.hpp"
 #include "proof/process.hpp"
 #include "support/interrupt.hpp"
@@ -50,23 +51,26 @@ bool read_all(int from, char* to, std::size_t size) {
   return true;
 }
 
-/// Sends a message: its length in 4 bytes of this machine's order, then its bytes.
 bool send(int to, std::string_view message) {
-  const auto size = static_cast<std::uint32_t>(message.size());
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the bytes of a number
-  return write_all(to, {reinterpret_cast<const char*>(&size), sizeof size}) &&
-         write_all(to, message);
+  return write_all(to, length_of(message)) && write_all(to, message);
 }
 
-/// The longest message. A damaged length must not exhaust the memory of this process.
-constexpr std::uint32_t longest = 1U << 26U;
+/// Sends what the pipe has room for, and removes it from `bytes`.
+/// @return false if the pipe has no reader
+bool send_some(int to, std::string_view& bytes) {
+  const ssize_t count = ::write(to, bytes.data(), bytes.size());
+  if (count < 0) return errno == EINTR || errno == EAGAIN;
+  bytes.remove_prefix(static_cast<std::size_t>(count));
+  return true;
+}
 
-bool receive(int from, std::string& message) {
+/// @return false at the end of the input
+bool receive(int from, std::string& request) {
   std::uint32_t size = 0;
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): as above
-  if (!read_all(from, reinterpret_cast<char*>(&size), sizeof size) || size > longest) return false;
-  message.resize(size);
-  return read_all(from, message.data(), size);
+  if (!read_all(from, reinterpret_cast<char*>(&size), sizeof size)) return false;
+  request.resize(size);
+  return read_all(from, request.data(), size);
 }
 
 std::pair<support::Descriptor, support::Descriptor> make_pipe() {
@@ -95,7 +99,8 @@ void close_others(int in, int out) {
 }
 
 [[noreturn]] void serve_all(const std::function<Confined::Serve(Confined::Steps&)>& prepare,
-                            Confined::Steps& steps, std::size_t memory, int in, int out) {
+                            Confined::Steps& steps, std::size_t memory, Calls calls, int in,
+                            int out) {
   try {
     sigset_t all;
     sigfillset(&all);
@@ -111,7 +116,7 @@ void close_others(int in, int out) {
     const Confined::Serve serve = prepare(steps);
     std::string request;
     std::string reply;
-    allow_only_computing();
+    allow_only_computing(calls, in, out);
     while (receive(in, request)) {
       reply = serve(request);
       if (!send(out, reply)) break;
@@ -126,7 +131,8 @@ void close_others(int in, int out) {
 
 }  // namespace
 
-Confined::Confined(const std::function<Serve(Steps& steps)>& prepare, std::size_t memory) {
+Confined::Confined(const std::function<Serve(Steps& steps)>& prepare, std::size_t memory,
+                   Calls calls) {
   void* const shared =
       mmap(nullptr, sizeof(Steps), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (shared == MAP_FAILED) throw refused("mmap");
@@ -135,14 +141,17 @@ Confined::Confined(const std::function<Serve(Steps& steps)>& prepare, std::size_
   auto [request_in, request_out] = make_pipe();
   auto [reply_in, reply_out] = make_pipe();
   (void)::signal(SIGPIPE, SIG_IGN);  // a dead child is a downfall, not this process's end
+  const pid_t parent = getpid();
   id_ = fork();
   if (id_ < 0) throw refused("fork");
   if (id_ == 0) {
-    die_with_parent();
-    serve_all(prepare, *steps_, memory, request_in.number(), reply_out.number());
+    die_with_parent(parent);
+    serve_all(prepare, *steps_, memory, calls, request_in.number(), reply_out.number());
   }
   to_ = std::move(request_out);
   from_ = std::move(reply_in);
+  // The child may leave its end of a pipe alone for ever. This process waits for both at once.
+  for (const int pipe : {to_.number(), from_.number()}) fcntl(pipe, F_SETFL, O_NONBLOCK);
 }
 
 Confined::~Confined() {
@@ -150,34 +159,48 @@ Confined::~Confined() {
   munmap(steps_, sizeof(Steps));
 }
 
-Reply Confined::ask(std::string_view request, std::chrono::milliseconds limit) {
+Reply Confined::ask(std::string_view request, const Allowance& allowance) {
   if (!is_alive()) return {Downfall::ended};
   using Clock = std::chrono::steady_clock;
-  auto latest = Clock::now() + limit;
+  const auto end = Clock::now() + allowance.whole;
+  auto latest = Clock::now() + allowance.step;
   std::uint64_t seen = *steps_ = 0;
-  if (!send(to_.number(), request)) return bury();
-  pollfd waits{.fd = from_.number(), .events = POLLIN, .revents = 0};
-  constexpr int poll_interval = 50;  // milliseconds until Ctrl-C is noticed
-  while (poll(&waits, 1, poll_interval) <= 0) {
+  const std::string sent = length_of(request) + std::string(request);
+  std::string_view unsent = sent;
+  IncomingMessage reply(allowance.bytes);
+  while (true) {
+    std::array<pollfd, 2> waits{
+        {{from_.number(), POLLIN, 0}, {unsent.empty() ? -1 : to_.number(), POLLOUT, 0}}};
+    constexpr int poll_interval = 50;  // milliseconds until Ctrl-C is noticed
+    poll(waits.data(), waits.size(), poll_interval);
     if (support::Interrupt::flag()) {
       bury();
       throw proof::Stopped();
     }
-    if (const std::uint64_t now = *steps_; now != seen) {
-      seen = now;
-      latest = Clock::now() + limit;
+    if (waits[1].revents != 0 && !send_some(to_.number(), unsent)) return bury();
+    if (waits[0].revents != 0) {
+      std::array<char, 0x10000> room{};
+      const ssize_t count = ::read(from_.number(), room.data(), room.size());
+      if (count == 0) return bury();
+      if (count > 0) reply.add({room.data(), static_cast<std::size_t>(count)});
+      const auto state = reply.state();
+      const bool is_whole = state == IncomingMessage::State::whole;
+      if (state == IncomingMessage::State::false_length || (is_whole && !unsent.empty())) {
+        return bury(Downfall::false_reply);
+      }
+      if (is_whole) return {.bytes = reply.take()};
     }
-    if (Clock::now() >= latest) {
-      late_ = true;
-      return bury();
+    const auto now = Clock::now();
+    if (const std::uint64_t done = *steps_; done > seen && done <= allowance.steps) {
+      seen = done;
+      latest = now + allowance.step;
     }
+    if (now >= latest || now >= end) return bury(Downfall::out_of_time);
   }
-  Reply reply;
-  return receive(from_.number(), reply.bytes) ? reply : bury();
 }
 
-Reply Confined::bury() {
-  if (late_) kill(id_, SIGKILL);
+Reply Confined::bury(Downfall reason) {
+  if (reason != Downfall::none) kill(id_, SIGKILL);
   to_ = support::Descriptor();  // a child that reads the end of its input exits
   from_ = support::Descriptor();
   int status = 0;
@@ -186,7 +209,7 @@ Reply Confined::bury() {
     usleep(1000);
   }
   id_ = -1;
-  if (late_) return {Downfall::out_of_time};
+  if (reason != Downfall::none) return {reason};
   if (WIFEXITED(status)) {
     return {WEXITSTATUS(status) == status_out_of_memory ? Downfall::out_of_memory
                                                         : Downfall::ended};

@@ -2,16 +2,20 @@
 /// Limits what a confined process may ask of the system.
 #pragma once
 
+#include <sys/types.h>
+
+#include "judge/confined.hpp"
+
 namespace fixproof::judge {
 
-/// From now on, this process may only read and write what is open, allocate memory, read the clock
-/// and random bytes, change its signal mask, wait, and exit. The kernel ends it at any other system
-/// call. Does nothing on systems other than Linux.
-/// @throws std::system_error if the kernel cannot filter system calls
-void allow_only_computing();
-
-/// Makes the kernel end this process when its parent ends. Does nothing on systems other than
+/// From now on, this process may only read from `in`, write to `out`, and make the calls that
+/// `calls` allows. The kernel ends it at any other system call. Does nothing on systems other than
 /// Linux.
-void die_with_parent();
+/// @throws std::system_error if the kernel cannot filter system calls
+void allow_only_computing(Calls calls, int in, int out);
+
+/// Makes the kernel end this process when its parent ends, and ends it now if the parent is gone.
+/// Does nothing on systems other than Linux.
+void die_with_parent(pid_t parent);
 
 }  // namespace fixproof::judge

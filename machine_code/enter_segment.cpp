@@ -9,7 +9,9 @@
 //   because thread-local storage depends on them.
 // - The caller sets only the six arithmetic flags. The flags at the exit are stored, then
 //   cleared: the ABI requires DF to be 0, and AC would make unaligned accesses fault.
-// - The x87, SSE and AVX state stays untouched. A function call leaves no red zone to preserve.
+// - The x87, SSE and AVX state stays untouched. A function call leaves no red zone to preserve. If
+//   the caller asks for it, the registers of SSE and AVX that the code can read are cleared,
+//   because C++ code leaves addresses there. The ABI preserves none of them.
 asm(R"(
         .pushsection .text
         .p2align 4
@@ -30,7 +32,19 @@ fixproof_enter_segment:
         pushq %rax
         movl %ss, %eax
         pushq %rax
-        movq 48(%rdi), %r9
+        cmpl $1, 44(%rdi)
+        jb 2f
+        je 1f
+        vzeroall
+1:      pxor %xmm0, %xmm0
+        pxor %xmm1, %xmm1
+        pxor %xmm2, %xmm2
+        pxor %xmm3, %xmm3
+        pxor %xmm4, %xmm4
+        pxor %xmm5, %xmm5
+        pxor %xmm6, %xmm6
+        pxor %xmm7, %xmm7
+2:      movq 48(%rdi), %r9
         leaq fixproof_leave_segment(%rip), %rax
         movq %rax, 8(%r9)
         movq %rsp, (%r9)

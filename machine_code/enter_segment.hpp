@@ -20,12 +20,13 @@ struct SegmentCall {
   std::uint32_t entry;  ///< offset and selector, in the layout of the far jump
   std::uint16_t code_selector;
   std::uint16_t data_selector;
-  std::uint32_t reserved;
+  std::uint32_t hides_registers;  ///< what to clear before: 0 nothing, 1 SSE, 2 AVX too
   Landing* landing;
 };
 static_assert(offsetof(SegmentCall, flags) == 32 && offsetof(SegmentCall, entry) == 36 &&
               offsetof(SegmentCall, code_selector) == 40 &&
-              offsetof(SegmentCall, data_selector) == 42 && offsetof(SegmentCall, landing) == 48);
+              offsetof(SegmentCall, data_selector) == 42 &&
+              offsetof(SegmentCall, hides_registers) == 44 && offsetof(SegmentCall, landing) == 48);
 static_assert(offsetof(Landing, resume) == 8);
 
 /// The distance from the landing code to its Landing.

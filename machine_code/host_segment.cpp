@@ -52,13 +52,16 @@ struct HostSegment::Parts {
       : bits(width),
         memory(bytes),
         code(memory.address_of(0), SegmentUse::code, bytes, width),
-        data(memory.address_of(0), SegmentUse::data, bytes, width) {}
+        data(memory.address_of(0), SegmentUse::data, bytes, width),
+        exit(memory.address_of(memory.exit_jump()), SegmentUse::unreadable_code,
+             LowMemory::exit_jump_bytes, 32) {}
 
   int bits;
   LowMemory memory;
   Landing* landing = new (memory.at(memory.landing())) Landing{};
   Descriptor code;
   Descriptor data;
+  Descriptor exit;  ///< with the jump to the landing code
   FaultsOnly faults_only;
 };
 
@@ -78,12 +81,7 @@ std::uint8_t* HostSegment::memory() const { return parts_->memory.at(0); }
 std::uint16_t HostSegment::code_selector() const { return parts_->code.selector(); }
 
 void HostSegment::put_exit(std::uint32_t offset) const {
-  const LowMemory& memory = parts_->memory;
-  std::uint8_t* to = memory.at(offset);
-  if (parts_->bits == 16) *to++ = 0x66;  // a far jump with a 32-bit offset
-  *to++ = 0xEA;
-  put(to, memory.address_of(memory.landing_code()), 4);
-  put(to + 4, code_selector_of_64_bits(), 2);
+  put_far_jump(memory() + offset, 0, parts_->exit.selector(), parts_->bits);
 }
 
 CallEnding HostSegment::call(Registers& registers, std::uint32_t entry) const {
@@ -93,7 +91,7 @@ CallEnding HostSegment::call(Registers& registers, std::uint32_t entry) const {
                    .entry = entry,
                    .code_selector = parts_->code.selector(),
                    .data_selector = parts_->data.selector(),
-                   .reserved = 0,
+                   .hides_registers = __builtin_cpu_supports("avx") != 0 ? 2U : 1U,
                    .landing = parts_->landing};
   std::copy(registers.general.begin(), registers.general.end(), std::begin(call.registers));
   renew_floating_point();  // this process may have raised flags of SSE

@@ -15,8 +15,12 @@
 namespace fixproof::machine_code {
 
 /// One segment with the code, data and stack of a user, in this process. The processor keeps the
-/// code in the segment as long as it loads no other selector. Everything else that the code may do
-/// is up to the process: call it only in one that may neither open files nor run forever.
+/// code in the segment as long as it loads no other selector. It may load those of the system: 2Bh
+/// for data in all of the low 4 GiB, and 33h for 64-bit code, which Linux gives to every process.
+/// Both need a linear address. The segment's is random, and neither its memory nor the registers
+/// tell it: the way back leads through a segment that may only be executed. A wrong guess is a
+/// fault. Everything else that the code may do is up to the process: call it only in one that may
+/// neither open files nor run forever.
 ///
 /// While an object lives, its thread blocks all signals but faults, because no handler can run on
 /// the code's stack.

@@ -4,6 +4,7 @@
 
 #include <asm/ldt.h>
 #include <sys/mman.h>
+#include <sys/random.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 #include <mutex>
 
 #include "machine_code/enter_segment.hpp"
+#include "machine_code/faults.hpp"
 #include "machine_code/segment.hpp"
 
 namespace fixproof::machine_code {
@@ -28,6 +30,12 @@ bool has_shadow_stack() {
 
 void put(std::uint8_t* to, std::uint32_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) to[i] = static_cast<std::uint8_t>(value >> (8 * i) & 0xFFU);
+}
+
+void put_far_jump(std::uint8_t* to, std::uint32_t offset, std::uint16_t selector, int bits) {
+  *to++ = 0xEA;
+  put(to, offset, bits / 8);
+  put(to + bits / 8, selector, 2);
 }
 
 namespace {
@@ -66,6 +74,27 @@ Entries& entries() {
   return all;
 }
 
+/// Maps memory at a random page. MAP_32BIT would choose among 13 bits of addresses, which code in
+/// the memory could guess.
+void* map_low(std::size_t bytes) {
+  constexpr std::uint32_t least_page = 0x10;  // the system reserves what is below 64 KiB
+  constexpr std::uint32_t pages = 1U << 20U;
+  const auto end = pages - static_cast<std::uint32_t>((bytes + page_size - 1) / page_size);
+  constexpr int most_tries = 100;  // AddressSanitizer keeps half of the pages
+  for (int i = 0; i < most_tries; ++i) {
+    std::uint32_t random = 0;
+    if (getrandom(&random, sizeof random, 0) != sizeof random) throw refused("getrandom");
+    const std::uintptr_t first = (least_page + random % (end - least_page)) * page_size;
+    // NOLINTNEXTLINE(*-reinterpret-cast,performance-no-int-to-ptr): mmap() takes addresses so
+    void* const wanted = reinterpret_cast<void*>(first);
+    void* const got = mmap(wanted, bytes, PROT_READ | PROT_WRITE,
+                           MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
+    if (got == wanted) return got;
+    if (got != MAP_FAILED) munmap(got, bytes);  // Linux before 4.17 takes the address as a hint
+  }
+  throw refused("mmap");
+}
+
 }  // namespace
 
 Descriptor::Descriptor(std::uint32_t base, SegmentUse use, std::size_t bytes, int bits)
@@ -74,7 +103,8 @@ Descriptor::Descriptor(std::uint32_t base, SegmentUse use, std::size_t bytes, in
   d.entry_number = entry_;
   d.base_addr = base;
   d.limit = static_cast<unsigned>(bytes - 1);
-  d.contents = use == SegmentUse::code ? MODIFY_LDT_CONTENTS_CODE : MODIFY_LDT_CONTENTS_DATA;
+  d.contents = use == SegmentUse::data ? MODIFY_LDT_CONTENTS_DATA : MODIFY_LDT_CONTENTS_CODE;
+  d.read_exec_only = use == SegmentUse::unreadable_code ? 1 : 0;
   d.seg_32bit = bits == 32 ? 1 : 0;
   d.useable = 1;
   if (!write_descriptor(d)) {
@@ -96,11 +126,7 @@ Descriptor::~Descriptor() {
 std::uint16_t Descriptor::selector() const { return static_cast<std::uint16_t>(entry_ << 3U | 7U); }
 
 LowMemory::LowMemory(std::size_t segment_bytes)
-    : segment_bytes_(segment_bytes),
-      first_(mmap(nullptr, bytes(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_32BIT,
-                  -1, 0)) {
-  if (first_ == MAP_FAILED) throw refused("mmap");
-}
+    : segment_bytes_(segment_bytes), first_(map_low(bytes())) {}
 
 LowMemory::~LowMemory() { munmap(first_, bytes()); }
 
@@ -119,8 +145,11 @@ void LowMemory::protect(std::size_t offset, std::size_t size, int rights) const 
 
 void LowMemory::put_landing_code() const {
   std::copy(fixproof_landing, fixproof_landing_end, at(landing_code()));
+  put_far_jump(at(exit_jump()), address_of(landing_code()), code_selector_of_64_bits());
   protect(landing_code(), page_size, PROT_READ | PROT_EXEC);
 }
+
+std::size_t LowMemory::exit_jump() const { return landing_code() + page_size / 2; }
 
 std::size_t LowMemory::landing() const { return landing_code() + landing_distance; }
 

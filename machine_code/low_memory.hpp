@@ -1,5 +1,5 @@
 /// @file
-/// Descriptors of the local table and memory below 2 GiB, for code of 16 and 32 bits. Linux on
+/// Descriptors of the local table and memory below 4 GiB, for code of 16 and 32 bits. Linux on
 /// x86-64 only.
 #pragma once
 
@@ -19,8 +19,14 @@ bool has_shadow_stack();
 
 /// Writes the low `bytes` bytes of a value, little-endian.
 void put(std::uint8_t* to, std::uint32_t value, int bytes);
+/// Writes a far jump for code of 16 or 32 bits, with an offset as wide as the code.
+void put_far_jump(std::uint8_t* to, std::uint32_t offset, std::uint16_t selector, int bits = 32);
 
-enum class SegmentUse : std::uint8_t { data, code };
+enum class SegmentUse : std::uint8_t {
+  data,
+  code,
+  unreadable_code,  ///< may only be executed
+};
 
 /// An entry of the process's descriptor table, with user privilege.
 class Descriptor : private boost::noncopyable {
@@ -37,7 +43,8 @@ class Descriptor : private boost::noncopyable {
   unsigned entry_;
 };
 
-/// Memory below 2 GiB: a segment, then a page of landing code and a page for the Landing.
+/// Memory at a random address below 4 GiB: a segment, then a page of landing code and a page for
+/// the Landing.
 class LowMemory : private boost::noncopyable {
  public:
   /// @param segment_bytes a multiple of the page size
@@ -50,10 +57,14 @@ class LowMemory : private boost::noncopyable {
   /// @param rights as for mprotect(2)
   /// @throws std::system_error if the system rejects them
   void protect(std::size_t offset, std::size_t size, int rights) const;
-  /// Copies the landing code to its page, which then is read-only.
+  /// Copies the landing code to its page, with a far jump to it at exit_jump(). The page then is
+  /// read-only.
   void put_landing_code() const;
 
   [[nodiscard]] std::size_t landing_code() const { return segment_bytes_; }
+  /// Returns where 32-bit code starts that jumps to the landing code: exit_jump_bytes bytes.
+  [[nodiscard]] std::size_t exit_jump() const;
+  static constexpr std::size_t exit_jump_bytes = 7;
   [[nodiscard]] std::size_t landing() const;
 
  private:

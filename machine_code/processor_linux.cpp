@@ -61,9 +61,7 @@ Processor::Processor(std::size_t data_bytes) : parts_(std::make_unique<Parts>(da
   caller[0] = 0xE8;
   put(caller + 1, code_origin - caller_origin - call_length, 2);
   caller[3] = 0x66;
-  caller[4] = 0xEA;
-  put(caller + 5, memory.address_of(memory.landing_code()), 4);
-  put(caller + 9, code_selector_of_64_bits(), 2);
+  put_far_jump(caller + 4, memory.address_of(memory.landing_code()), code_selector_of_64_bits());
   memory.protect(caller_origin, code_bytes, PROT_READ | PROT_EXEC);
 }
 
@@ -92,7 +90,7 @@ Processor::Calls::Calls(Processor& processor) : saved_(std::make_unique<Saved>()
                   .entry = caller_origin,
                   .code_selector = parts.code.selector(),
                   .data_selector = parts.data.selector(),
-                  .reserved = 0,
+                  .hides_registers = 0,
                   .landing = parts.landing};
   stack_t stack{};
   stack.ss_sp = parts.signal_stack.data();

@@ -8,6 +8,8 @@
 
 namespace {
 
+using fixproof::judge::Allowance;
+using fixproof::judge::Calls;
 using fixproof::judge::Confined;
 using fixproof::judge::Downfall;
 using std::chrono::milliseconds;
