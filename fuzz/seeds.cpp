@@ -19,6 +19,7 @@
 #include "cases/words.hpp"
 #include "fuzz/corpus.hpp"
 #include "fuzz/log_seeds.hpp"
+#include "fuzz/reply_seeds.hpp"
 #include "fuzz/step_case.hpp"
 #include "fuzz/word_target.hpp"
 #include "fuzz/words.hpp"
@@ -341,6 +342,7 @@ int main(int argc, char** argv) {
     write_solver_answers(root);
     write_code(root);
     fuzz::write_logs(root);
+    fuzz::write_replies(root);
   } catch (const std::exception& error) {
     support::write_error(fmt::format("fuzz_seeds: {}\n", error.what()));
     return 2;

@@ -17,7 +17,7 @@ namespace fixproof::judge {
 struct Step {
   std::uint32_t at = 0;  ///< its offset in the code segment
   std::uint32_t bytes = 0;
-  Registers registers;
+  Registers registers{};
 };
 
 /// A read or write of memory by a step.
