@@ -19,6 +19,7 @@
 #include "judge/message.hpp"
 #include "judge/system_calls.hpp"
 #include "proof/process.hpp"
+#include "support/die_with_parent.hpp"
 #include "support/interrupt.hpp"
 
 namespace fixproof::judge {
@@ -145,7 +146,7 @@ Confined::Confined(const std::function<Serve(Steps& steps)>& prepare, std::size_
   id_ = fork();
   if (id_ < 0) throw refused("fork");
   if (id_ == 0) {
-    die_with_parent(parent);
+    support::die_with_parent(parent);
     serve_all(prepare, *steps_, memory, calls, request_in.number(), reply_out.number());
   }
   to_ = std::move(request_out);

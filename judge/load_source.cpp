@@ -1,11 +1,8 @@
 #include <fmt/format.h>
-#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp() is POSIX's
 
 #include <algorithm>
 #include <array>
-#include <boost/noncopyable.hpp>
 #include <cctype>
-#include <cerrno>
 #include <charconv>
 #include <filesystem>
 #include <iterator>
@@ -15,9 +12,8 @@
 
 #include "judge/assemble.hpp"
 #include "judge/load.hpp"
-#include "proof/process.hpp"
+#include "judge/tool.hpp"
 #include "support/bounded_file.hpp"
-#include "support/file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 
@@ -28,37 +24,24 @@ namespace {
 namespace fs = std::filesystem;
 using support::UsageError;
 
-constexpr std::chrono::seconds time_to_assemble{20};
 constexpr std::size_t max_bytes = std::size_t{1} << 20U;
+constexpr std::size_t max_map_bytes = std::size_t{1} << 22U;
 
-/// A temporary folder, which is removed with its contents.
-class Scratch : private boost::noncopyable {
- public:
-  Scratch() : name_((fs::temp_directory_path() / "fixproof.XXXXXX").string()) {
-    if (mkdtemp(name_.data()) == nullptr) {
-      throw std::system_error(errno, std::generic_category(), "a temporary folder");
-    }
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(name_, ignored);
-  }
-  [[nodiscard]] std::string file(const char* name) const { return name_ + '/' + name; }
-
- private:
-  std::string name_;
-};
-
-/// @throws UsageError if nasm cannot be run
-proof::Output run_nasm(const std::vector<std::string>& arguments) {
+std::vector<std::string> nasm(const std::vector<std::string>& arguments) {
   std::vector<std::string> all{"nasm", "-f", "bin", "-w-all"};
   all.insert(all.end(), arguments.begin(), arguments.end());
-  try {
-    return proof::run_program(all, "", time_to_assemble);
-  } catch (const std::system_error& error) {
-    throw UsageError(fmt::format("nasm cannot be run: {}; install Debian's package nasm",
-                                 error.code().message()));
+  return all;
+}
+
+std::string_view advice_on(std::string_view error) {
+  if (error.ends_with("in 16-bit mode") || error.ends_with("in 32-bit mode") ||
+      error.ends_with("in non-64-bit mode")) {
+    return "; judge runs code of 16 bits, or with --bits 32 of 32, not of 64";
   }
+  if (error.find("unable to open") != std::string_view::npos) {
+    return "; a source may use the files in its folder and below";
+  }
+  return "";
 }
 
 /// Reads the symbols of NASM's map file and the end of its sections without contents (.bss), and
@@ -135,36 +118,34 @@ std::optional<int> bits_of_source(const std::string& path) {
 
 void load_source(Image& image, const std::string& path) {
   image.container = "NASM source";
-  const Scratch scratch;
-  const std::string code = scratch.file("code");
-  const std::string map = scratch.file("map");
+  const ToolFile code;
+  const ToolFile map;
   // A name that starts with a minus sign must not be an option.
   const std::string name = path.starts_with('-') ? "./" + path : path;
+  std::error_code ignored;  // nasm says what is wrong with the name
+  const std::string folder = fs::weakly_canonical(name, ignored).parent_path().string() + '/';
+  if (!confines_tools()) image.container += ", assembled without confinement";
   const proof::Output output =
-      run_nasm({"--before", fmt::format("[bits {}]", image.bits), "--before",
-                fmt::format("[map brief symbols {}]", map), "-o", code, name});
-  if (!output.in_time) throw UsageError("nasm does not finish");
+      run_tool(nasm({"--before", fmt::format("[bits {}]", image.bits), "--before",
+                     fmt::format("[map brief symbols {}]", map.name()), "-i", folder, "-o",
+                     code.name(), name}),
+               "", folder, {&code, &map});
   if (output.status != 0) {
     // The text is "FILE:LINE: error: what"; load() adds the file.
     std::string said = output.err.substr(0, output.err.find('\n'));
     if (said.starts_with(name + ":")) said.erase(0, name.size() + 1);
-    const bool is_wide = said.ends_with("in 16-bit mode") || said.ends_with("in 32-bit mode") ||
-                         said.ends_with("in non-64-bit mode");
-    throw UsageError(fmt::format(
-        "nasm: {}{}", support::printable(said),
-        is_wide ? "; judge runs code of 16 bits, or with --bits 32 of 32, not of 64" : ""));
+    throw UsageError(fmt::format("nasm: {}{}", support::printable(said), advice_on(said)));
   }
-  const std::uint32_t origin = read_map(image, support::read_bounded(map, max_bytes));
-  load_flat(image, support::read_bounded(code, max_bytes), origin);
+  const std::uint32_t origin = read_map(image, map.contents(max_map_bytes));
+  load_flat(image, code.contents(max_bytes), origin);
 }
 
 std::string assembled(const std::string& source) {
-  const Scratch scratch;
-  const std::string from = scratch.file("source.asm");
-  const std::string to = scratch.file("code");
-  support::replace_file(from, source);
-  const proof::Output output = run_nasm({"-o", to, from});
-  return output.status == 0 && output.in_time ? support::read_file(to) : "";
+  const ToolFile text(source);
+  const ToolFile code;
+  const proof::Output output =
+      run_tool(nasm({"-o", code.name(), text.name()}), "", "", {&text, &code});
+  return output.status == 0 ? code.contents(max_bytes) : "";
 }
 
 }  // namespace fixproof::judge

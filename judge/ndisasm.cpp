@@ -1,31 +1,13 @@
 #include "judge/ndisasm.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
-#include <chrono>
-#include <system_error>
 
-#include "proof/process.hpp"
-#include "support/usage_error.hpp"
+#include "judge/tool.hpp"
 
 namespace fixproof::judge {
 
 namespace {
-
-constexpr std::chrono::seconds time_to_disassemble{20};
-
-std::string output_of(const std::vector<std::string>& arguments, const std::string& bytes) {
-  try {
-    const proof::Output output = proof::run_program(arguments, bytes, time_to_disassemble);
-    if (!output.in_time) throw support::UsageError("ndisasm does not end");
-    return output.out;
-  } catch (const std::system_error& error) {
-    throw support::UsageError(fmt::format(
-        "ndisasm cannot be run: {}; install Debian's package nasm", error.code().message()));
-  }
-}
 
 std::string_view take_word(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
@@ -66,7 +48,8 @@ bool is_jump(std::string_view mnemonic) {
 
 std::vector<Line> disassembled(int bits, std::uint32_t origin, const std::string& bytes) {
   return lines_of(
-      output_of({"ndisasm", "-b", std::to_string(bits), "-o", std::to_string(origin), "-"}, bytes));
+      run_tool({"ndisasm", "-b", std::to_string(bits), "-o", std::to_string(origin), "-"}, bytes)
+          .out);
 }
 
 }  // namespace fixproof::judge

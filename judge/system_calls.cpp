@@ -5,11 +5,9 @@
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
-#include <signal.h>  // NOLINT(modernize-deprecated-headers): SIGKILL as the system names it
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cerrno>
@@ -138,12 +136,6 @@ void allow_only_computing(Calls calls, int in, int out) {
   set(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, reinterpret_cast<unsigned long>(&program));
 }
 
-void die_with_parent(pid_t parent) {
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): as above
-  prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
-  if (getppid() != parent) _exit(0);  // the signal would never come
-}
-
 }  // namespace fixproof::judge
 
 #else
@@ -151,7 +143,6 @@ void die_with_parent(pid_t parent) {
 namespace fixproof::judge {
 
 void allow_only_computing(Calls /*calls*/, int /*in*/, int /*out*/) {}
-void die_with_parent(pid_t /*parent*/) {}
 
 }  // namespace fixproof::judge
 

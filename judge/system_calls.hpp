@@ -2,8 +2,6 @@
 /// Limits what a confined process may ask of the system.
 #pragma once
 
-#include <sys/types.h>
-
 #include "judge/confined.hpp"
 
 namespace fixproof::judge {
@@ -13,9 +11,5 @@ namespace fixproof::judge {
 /// Linux.
 /// @throws std::system_error if the kernel cannot filter system calls
 void allow_only_computing(Calls calls, int in, int out);
-
-/// Makes the kernel end this process when its parent ends, and ends it now if the parent is gone.
-/// Does nothing on systems other than Linux.
-void die_with_parent(pid_t parent);
 
 }  // namespace fixproof::judge

@@ -8,7 +8,10 @@
 #include <array>
 #include <boost/process/args.hpp>
 #include <boost/process/child.hpp>
+#include <boost/process/env.hpp>
+#include <boost/process/environment.hpp>
 #include <boost/process/exe.hpp>
+#include <boost/process/extend.hpp>
 #include <boost/process/group.hpp>
 #include <boost/process/io.hpp>
 #include <boost/process/search_path.hpp>
@@ -21,6 +24,7 @@
 #include <system_error>
 #include <thread>
 
+#include "support/die_with_parent.hpp"
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 
@@ -81,7 +85,7 @@ std::string contents(std::FILE* file) {
 /// Starts a program in `group`: Ctrl-C does not reach it, and terminating the group ends all its
 /// children too. @throws std::system_error if it cannot be started
 bp::child start(const std::vector<std::string>& arguments, bp::group& group, std::FILE* in,
-                std::FILE* out, std::FILE* err) {
+                std::FILE* out, std::FILE* err, const std::function<void()>& confine) {
   const auto program = bp::search_path(arguments.front());
   if (program.empty()) {
     throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
@@ -91,9 +95,16 @@ bp::child start(const std::vector<std::string>& arguments, bp::group& group, std
   // thread in between would inherit the pipe, and this start would wait for that program to end.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
+  const bp::environment variables =
+      confine ? bp::environment() : bp::environment(boost::this_process::environment());
+  const auto prepare = [&confine, parent = getpid()](auto& /*executor*/) {
+    support::die_with_parent(parent);
+    if (confine) confine();
+  };
   return bp::child(bp::exe = program,
-                   bp::args = std::vector(arguments.begin() + 1, arguments.end()),
-                   bp::std_in<in, bp::std_out> out, bp::std_err > err, group);
+                   bp::args = std::vector(arguments.begin() + 1, arguments.end()), variables,
+                   bp::std_in<in, bp::std_out> out, bp::std_err > err, group,
+                   bp::extend::on_exec_setup = prepare);
 }
 
 /// Waits until the program ends, `latest` passes or Interrupt::flag() is set; in the last two cases
@@ -116,19 +127,18 @@ bool wait_until(Clock::time_point latest, bp::child& program, bp::group& group) 
 }  // namespace
 
 Output run_program(const std::vector<std::string>& arguments, const std::string& input,
-                   std::chrono::milliseconds limit) {
+                   std::chrono::milliseconds limit, const std::function<void()>& confine) {
   if (support::Interrupt::flag()) throw Stopped();
   const File in = file_with(input);
   const File out = temporary_file();
   const File err = temporary_file();
   bp::group group;
-  bp::child program = start(arguments, group, in.get(), out.get(), err.get());
+  bp::child program = start(arguments, group, in.get(), out.get(), err.get(), confine);
   const bool in_time = wait_until(Clock::now() + limit, program, group);
   if (!in_time && support::Interrupt::flag()) throw Stopped();
   const int status = program.native_exit_code();
   if (in_time && WIFSIGNALED(status)) {
-    throw std::runtime_error(
-        fmt::format("{} was ended by signal {}", arguments.front(), WTERMSIG(status)));
+    throw Killed(fmt::format("{} was ended by signal {}", arguments.front(), WTERMSIG(status)));
   }
   return {.out = contents(out.get()),
           .err = contents(err.get()),

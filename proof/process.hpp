@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,6 +16,12 @@ class Stopped : public std::runtime_error {
   Stopped() : std::runtime_error("stopped") {}
 };
 
+/// A signal ended the program.
+class Killed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 struct Output {
   std::string out;
   std::string err;
@@ -23,10 +30,13 @@ struct Output {
 };
 
 /// Runs `arguments[0]`, found on the PATH, with `input` on standard input. Kills it and everything
-/// that it started after `limit`, or when Interrupt::flag() is set.
-/// @throws Stopped if the flag is set; std::system_error if the program cannot be started;
-/// std::runtime_error if a signal ends it
+/// that it started after `limit`, or when Interrupt::flag() is set. It also ends when this process
+/// is killed.
+/// @param confine if there is one, it runs in the child before the program, which then gets no
+/// environment variables
+/// @throws Stopped if the flag is set; std::system_error if the program cannot be started; Killed
+/// if a signal ends it
 Output run_program(const std::vector<std::string>& arguments, const std::string& input,
-                   std::chrono::milliseconds limit);
+                   std::chrono::milliseconds limit, const std::function<void()>& confine = {});
 
 }  // namespace fixproof::proof
