@@ -11,7 +11,7 @@ llvm=14
 build_packages=(cmake ninja-build g++ libboost-dev libboost-filesystem-dev libcli11-dev libfmt-dev
   nlohmann-json3-dev libpng-dev libsdl2-dev libssl-dev libtinyobjloader-dev zlib1g-dev nasm
   libunicorn-dev z3 libfixmath-dev libfreetype-dev)
-test_packages=("${build_packages[@]}" libgtest-dev librapidcheck-dev libbenchmark-dev libeigen3-dev
+test_packages=("${build_packages[@]}" ccache libgtest-dev librapidcheck-dev libbenchmark-dev libeigen3-dev
   libglm-dev libmpfr-dev gappa dosbox cvc5 python3-yaml)
 # shellcheck disable=SC2034  # used by ./test
 wasm_packages=(clang lld wasi-libc "libc++-$llvm-dev-wasm32" "libc++abi-$llvm-dev-wasm32"
@@ -59,20 +59,17 @@ install_packages() {
   fi
 }
 
-# Where ccache is installed, another clone or branch builds in a fraction of the time; nothing needs it. Paths are
-# hashed relative to the root, so that clones share. Only g++: clang++ would also have to leave times out of its
-# precompiled headers.
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
-export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+# ccache, which ./test installs, lets another clone or branch build in a fraction of the time; nothing needs it. Paths
+# are hashed relative to the root, so that clones share.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1 CCACHE_MAXSIZE=10G
+export CCACHE_SLOPPINESS=time_macros,include_file_mtime,include_file_ctime
 
 # configure PRESET [CMAKE OPTION]...: parts left out for want of a library are named.
 configure() {
   local preset=$1; shift
   local log=$root/build/$preset-configure.log
   mkdir -p "$root/build"
-  if [[ $preset == release ]] && command -v ccache >/dev/null; then
-    set -- -D CMAKE_CXX_COMPILER_LAUNCHER=ccache "$@"
-  fi
+  if command -v ccache >/dev/null; then set -- -D CMAKE_CXX_COMPILER_LAUNCHER=ccache "$@"; fi
   say "configuring and building in $root/build/$preset"
   if ! (cd "$root" && cmake --preset "$preset" "$@") >"$log" 2>&1; then
     tail -n 25 "$log" >&2
