@@ -1,6 +1,8 @@
-/// Tests quotients and roots around the points where their rounding changes, against exact integers
-/// in every rounding mode of the processor.
-#include "tests/batch/expected.hpp"
+/// Tests quotients on every path against the operator of the number type, with every length and
+/// alignment, and quotients and roots around the points where their rounding changes, against exact
+/// integers in every rounding mode of the processor. One file, so that each divide is compiled
+/// once.
+#include "tests/batch/check.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/types.hpp"
 #include "tests/support/rounding_mode.hpp"
@@ -11,7 +13,15 @@ namespace {
 
 template <class Number>
 class Quotients : public testing::Test {};
-TYPED_TEST_SUITE(Quotients, fixproof::all_types);
+TYPED_TEST_SUITE(Quotients, fixproof::dividing_types);
+
+TYPED_TEST(Quotients, EveryLength) {
+  using N = TypeParam;
+  check_every_length<N>([](N a, N b, N) { return expected_quotient(a, b); },
+                        [](auto a, auto b, auto, auto out, auto how) {
+                          return fixproof::batch::divide(a, b, out, how);
+                        });
+}
 
 TYPED_TEST(Quotients, AreExactInEveryRoundingMode) {
   std::vector<TypeParam> n;

@@ -24,6 +24,9 @@ using reference::integer;
 inline constexpr policy saturate_or_fault{.range = overflow::saturate,
                                           .fault = fixproof::divide_fault::signed_quotient};
 
+template <class N, class... Others>
+inline constexpr bool is_one_of = (std::is_same_v<N, Others> || ...);
+
 /// Every format that fixed/number.hpp and fixed/formats.hpp name.
 using formats_8 =
     std::tuple<fixproof::q8_0, fixproof::q4_4, fixproof::q1_7, fixproof::u4_4, fixproof::u0_8>;
@@ -44,14 +47,43 @@ using formats_at_the_ends =
 using every_format = decltype(std::tuple_cat(formats_8(), formats_16(), formats_32(), formats_64(),
                                              formats_at_the_ends()));
 
-/// Calls `check` for the policy in every format.
-template <policy P, class Check, class... N>
-void under(const Check& check, std::type_identity<std::tuple<N...>> /*formats*/) {
-  (check.template operator()<fixproof::with_policy<N, P>>(), ...);
+/// These stand for the others under every policy: with vector code for products and quotients, for
+/// products alone, and without; of every width; with half, all but two and all but one of the bits
+/// after the point.
+template <class N>
+inline constexpr bool stands_for_others =
+    is_one_of<N, fixproof::q4_4, fixproof::q8_8, fixproof::q1_15, fixproof::q16_16, fixproof::q2_30,
+              fixproof::q1_31, fixproof::u16_16, fixproof::q32_32>;
+
+/// The place of a policy in its group of tests. A format that stands for no other takes part under
+/// one policy of a group; in a build for all combinations, under each.
+template <std::size_t number, std::size_t of>
+struct Turn {};
+/// Of a policy under which only formats take part that stand for others.
+using NoTurn = Turn<1, 1>;
+
+#ifdef FIXPROOF_ALL_COMBINATIONS
+inline constexpr bool all_combinations = true;
+#else
+inline constexpr bool all_combinations = false;
+#endif
+
+/// Calls `check` for the policy in one format.
+template <policy P, class N, bool takes_part, class Check>
+void in_format(const Check& check) {
+  if constexpr (takes_part) check.template operator()<fixproof::with_policy<N, P>>();
 }
-template <policy P, class Formats = every_format, class Check>
+
+/// Calls `check` for the policy in the formats whose turn it is.
+template <policy P, std::size_t number, std::size_t of, class Check, class... N, std::size_t... i>
+void in_formats(const Check& check, Turn<number, of> /*turn*/,
+                std::type_identity<std::tuple<N...>> /*formats*/, std::index_sequence<i...>) {
+  (in_format < P, N, all_combinations || stands_for_others<N> || i % of == number > (check), ...);
+}
+template <policy P, class Which, class Formats = every_format, class Check>
 void under(const Check& check) {
-  under<P>(check, std::type_identity<Formats>());
+  in_formats<P>(check, Which(), std::type_identity<Formats>(),
+                std::make_index_sequence<std::tuple_size_v<Formats>>());
 }
 
 /// A number type at run time, so that the checks are compiled once.

@@ -46,16 +46,18 @@ constexpr policy products_trap{.multiply = fixproof::rounding::half_even,
                                .divide = fixproof::rounding::half_even,
                                .products = overflow::trap};
 
-TEST(BatchesOfProducts, HalfUpWrap) { under<fixproof::policies::wrapping>(products); }
-TEST(BatchesOfProducts, HalfEvenSaturate) { under<formats::even_saturate>(products); }
-TEST(BatchesOfProducts, HalfAwayTrap) { under<formats::away_trap>(products); }
-TEST(BatchesOfProducts, TruncateSaturate) { under<formats::truncate_saturate>(products); }
-TEST(BatchesOfProducts, FloorWrapAndSumsTrap) { under<formats::mixed>(products); }
-TEST(BatchesOfProducts, HalfEvenTrapAndSumsWrap) { under<products_trap>(products); }
+TEST(BatchesOfProducts, HalfUpWrap) { under<fixproof::policies::wrapping, Turn<0, 6>>(products); }
+TEST(BatchesOfProducts, HalfEvenSaturate) { under<formats::even_saturate, Turn<1, 6>>(products); }
+TEST(BatchesOfProducts, HalfAwayTrap) { under<formats::away_trap, Turn<2, 6>>(products); }
+TEST(BatchesOfProducts, TruncateSaturate) {
+  under<formats::truncate_saturate, Turn<3, 6>>(products);
+}
+TEST(BatchesOfProducts, FloorWrapAndSumsTrap) { under<formats::mixed, Turn<4, 6>>(products); }
+TEST(BatchesOfProducts, HalfEvenTrapAndSumsWrap) { under<products_trap, Turn<5, 6>>(products); }
 
-TEST(BatchesOfRoots, Wrap) { under<fixproof::policies::wrapping>(roots); }
-TEST(BatchesOfRoots, Saturate) { under<formats::even_saturate>(roots); }
-TEST(BatchesOfRoots, Trap) { under<formats::away_trap>(roots); }
+TEST(BatchesOfRoots, Wrap) { under<fixproof::policies::wrapping, Turn<0, 3>>(roots); }
+TEST(BatchesOfRoots, Saturate) { under<formats::even_saturate, Turn<1, 3>>(roots); }
+TEST(BatchesOfRoots, Trap) { under<formats::away_trap, Turn<2, 3>>(roots); }
 
 }  // namespace
 }  // namespace batch_formats
