@@ -189,8 +189,9 @@ constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, bool is
   const bool is_steep = precise.quarters % 2 != 0;
   const real& n = is_steep ? both.cosine : both.sine;
   const real& d = is_steep ? both.sine : both.cosine;
-  // Beyond every format
-  if (d < n >> 34) return is_steep ? -(std::int64_t{1} << 34) : std::int64_t{1} << 34;
+  // 2^34 units are beyond every format. Next to a pole there are more than 2^64.
+  if (d < n >> (34 - fraction_bits))
+    return is_steep ? -(std::int64_t{1} << 34) : std::int64_t{1} << 34;
   const std::int64_t result = nearest_units(ratio(n, d), fraction_bits);
   return is_steep ? -result : result;
 }

@@ -39,8 +39,8 @@ constexpr real ratio(const real& a, const real& b) noexcept {
   return real::divide(a << real_bits, b).quotient;
 }
 
-/// The integer nearest to x * 2^fraction_bits. \pre x is so far from a tie that its error does not
-/// matter
+/// The integer nearest to x * 2^fraction_bits. \pre that is from -2^63 to 2^63 - 1, and x is so far
+/// from a tie that its error does not matter
 constexpr std::int64_t nearest_units(const real& x, int fraction_bits) noexcept {
   return static_cast<std::int64_t>((x + (real_one >> (fraction_bits + 1))) >>
                                    (real_bits - fraction_bits));

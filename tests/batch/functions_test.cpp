@@ -119,5 +119,34 @@ TEST(BatchFunctions, HardWords) {
   });
 }
 
+/// A word next to a pole, in each lane of a block of others.
+template <class N>
+void expect_tangent(std::int64_t word, typename N::raw_type tangent) {
+  constexpr std::size_t lanes = 16;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    Numbers<N> x(lanes, N(0.5));
+    x[lane] = N::from_raw(static_cast<typename N::raw_type>(word));
+    for (const batch::path path : every_path) {
+      Numbers<N> results(lanes);
+      batch::tan(x, results, path);
+      EXPECT_EQ(results[lane].raw(), tangent) << word << " on path " << static_cast<int>(path);
+      EXPECT_EQ(results[(lane + 1) % lanes], fixproof::tan(N(0.5)));
+    }
+  }
+}
+
+TEST(BatchFunctions, TangentsNextToPolesSaturate) {
+  constexpr std::int32_t highest = std::numeric_limits<std::int32_t>::max();
+  constexpr std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
+  expect_tangent<q2_30>(0x6487ed51, highest);
+  expect_tangent<q2_30>(0x6487ed52, lowest);
+  expect_tangent<q2_30>(-0x6487ed51, lowest);
+  expect_tangent<q2_30>(-0x6487ed52, highest);
+  expect_tangent<number<std::uint32_t, 30>>(0x6487ed51, 0xffffffff);
+  expect_tangent<number<std::uint32_t, 30>>(0x6487ed52, 0);
+  expect_tangent<u1_31>(0xc90fdaa2, 0xffffffff);
+  expect_tangent<u1_31>(0xc90fdaa3, 0);
+}
+
 }  // namespace
 }  // namespace batch_test

@@ -102,9 +102,11 @@ def precise_sines(source):
 
 def precise_tangents(source):
     """Covers twice the range, because a result that does not fit may seem to."""
-    shift = source.read("phase.hpp", r"d < n >> (\d+)\)")
-    if shift < 33:
+    bits = source.read("phase.hpp", r"d < n >> \((\d+) - fraction_bits\)")
+    if bits < 33:
         raise NotProven("a tangent in range is called out of range")
+    if bits > 62:
+        raise NotProven("a tangent has more ulps than 64 bits hold")
     errors, side = Errors(Precise(source)), precise_side(source)
     return precise(max(errors.tangent(side, Fraction(HIGHEST, 2**bits)) * 2**bits for bits in range(33)), 84)
 
