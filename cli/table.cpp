@@ -91,7 +91,10 @@ std::string mismatch_lines(const cases::Row& row, const verify::Findings& found)
                         cases::decimal_words(row.variant, words));
     if (!m->said.empty()) text += fmt::format(": {}", grouped_answers(m->said));
     if (alike[words] > 1) text += fmt::format("; {} cases shrink to it", alike[words]);
-    text += fmt::format("; replay: {}\n", verify::replay(row, words));
+    const verify::Replay again = verify::replay(row, *m);
+    if (!m->said.empty() && !again.differs) text += "; alone, this case does not differ";
+    text += fmt::format("\n  replay: {}\n", again.verify);
+    if (!again.trace.empty()) text += fmt::format("  trace: {}\n", again.trace);
   }
   if (found.mismatches > found.shown.size()) {
     text += fmt::format("{}: {} more mismatches are not shown; see --max-reports\n",

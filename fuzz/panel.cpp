@@ -52,17 +52,18 @@ std::string text_of(const VariantParties& tested, std::span<const std::uint32_t>
   const int result_bits = tested.variant.format.word_bits;
   std::string text = fmt::format("{}: not all parties agree\n", cases::name_of(tested.variant));
   cases::Row row{tested.variant, {}};
+  verify::Mismatch mismatch;
+  mismatch.smallest = smallest;
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    const std::string name(tested.parties[i]->name());
-    text += fmt::format("  {:<14} {}\n", name, answers[i].text(result_bits));
-    // Puts the party for the rerun command first.
-    const bool first_differs =
-        !parties::agree(std::array{answers[i], answers.front()}) && row.parties.front() == "oracle";
-    row.parties.insert(first_differs ? row.parties.begin() : row.parties.end(), name);
+    row.parties.emplace_back(tested.parties[i]->name());
+    mismatch.said.emplace_back(row.parties.back(), answers[i].text(result_bits));
+    text += fmt::format("  {:<14} {}\n", row.parties.back(), mismatch.said.back().second);
   }
-  return text + fmt::format("  found with  {}\n  replay:     {}\n  must print  {}",
-                            cases::hex_words(words, bits), verify::replay(row, smallest),
-                            answers.front().text(result_bits));
+  const verify::Replay again = verify::replay(row, mismatch);
+  text += fmt::format("  found with  {}\n  replay:     {}", cases::hex_words(words, bits),
+                      again.verify);
+  if (!again.trace.empty()) text += fmt::format("\n  trace:      {}", again.trace);
+  return text;
 }
 
 }  // namespace

@@ -4,10 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
+#include <vector>
 
 #include "cases/words.hpp"
+#include "support/plain_text.hpp"
 
 namespace fixproof::verify {
 
@@ -15,57 +16,88 @@ namespace {
 
 std::string_view on_off(bool on) { return on ? "on" : "off"; }
 
-std::string variant_options(const cases::Variant& v, std::string_view rounding_option) {
+/// The options that select a routine of FIXED.ASM. \param rounding the option for its rounding
+std::string routine_options(const cases::Variant& v, std::string_view rounding) {
   std::string options = fmt::format(" --target {}", cases::name_of(v.build.target));
-  if (v.build.target != cases::Target::standard && v.operation != cases::Operation::cossin) {
-    options += fmt::format(" {} {}", rounding_option, on_off(cases::rounds(v)));
-  }
+  if (!rounding.empty()) options += fmt::format(" {} {}", rounding, on_off(cases::rounds(v)));
   if (v.build.chapter_52) options += " --chapter 52";
   if (v.build.repaired) options += " --repaired";
   return options;
 }
 
-std::string_view rounding_option(const cases::Variant& v) {
-  return v.operation == cases::Operation::div ? "--div-round" : "--mul-round";
+/// The options that select the row of this variant alone.
+std::string row_options(const cases::Variant& v) {
+  const std::string width = v.format == cases::q8_8 ? " --width half" : "";
+  if (v.build.target == cases::Target::standard) {
+    const bool has_formats =
+        v.operation != cases::Operation::xformvec && v.operation != cases::Operation::concat;
+    return has_formats ? fmt::format(" --format {}", cases::name_of(v.format))
+                       : " --target standard" + width;
+  }
+  // Without --chapter 54, the rows of chapter 52 or of the repaired routine would run, too.
+  const bool is_in_54 = !v.build.chapter_52 && !v.build.repaired;
+  return routine_options(v, "--round") + (is_in_54 ? " --chapter 54" : "") + width;
+}
+
+/// The text as one word of a shell.
+std::string shell_word(std::string_view text) {
+  const auto is_plain = [](char c) {
+    constexpr std::string_view marks = "_-+./:,@%";
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           marks.find(c) != std::string_view::npos;
+  };
+  if (std::all_of(text.begin(), text.end(), is_plain)) return std::string(text);
+  std::string word = "'";
+  if (support::printable(text) == text) {
+    for (const char c : text) word += c == '\'' ? R"('\'')" : std::string(1, c);
+  } else {
+    // What could control a terminal appears as numbers, which bash reads.
+    word = "$'";
+    for (const char c : text) {
+      word +=
+          is_plain(c) ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    }
+  }
+  return word + '\'';
+}
+
+/// Whether the texts of two answers are of equal ones. A broken run agrees with nothing.
+bool are_equal(const std::string& a, const std::string& b) {
+  const auto is_hex = [](char c) {
+    return c == ' ' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+  };
+  return a == b && (a == "DE" || std::all_of(a.begin(), a.end(), is_hex));
 }
 
 }  // namespace
 
 std::string trace_line(const cases::Variant& v, std::span<const std::uint32_t> words) {
+  const std::string_view rounding = v.operation == cases::Operation::cossin ? ""
+                                    : v.operation == cases::Operation::div  ? "--div-round"
+                                                                            : "--mul-round";
   return fmt::format("fixproof trace {}{} {}", cases::name_of(v.operation),
-                     variant_options(v, rounding_option(v)),
-                     cases::hex_words(words, cases::operand_bits(v)));
+                     routine_options(v, rounding), cases::hex_words(words, cases::operand_bits(v)));
 }
 
-std::string replay(const cases::Row& row, std::span<const std::uint32_t> words) {
+Replay replay(const cases::Row& row, const Mismatch& mismatch) {
   const cases::Variant& v = row.variant;
-  const std::string hex = cases::hex_words(words, cases::operand_bits(v));
-  if (v.build.target != cases::Target::standard && v.format == cases::q16_16) {
-    return fmt::format("echo '{}' | fixproof eval {}{} --by {}", hex, cases::name_of(v.operation),
-                       variant_options(v, rounding_option(v)), row.parties.front());
+  const auto& words = mismatch.smallest.empty() ? mismatch.words : mismatch.smallest;
+  const auto& said = mismatch.said;
+  Replay result;
+  std::vector<std::string> parties = row.parties;
+  for (std::size_t i = 1; i < said.size() && !result.differs; ++i) {
+    if (are_equal(said[i].second, said[0].second)) continue;
+    parties = {said[0].first, said[i].first};
+    result.differs = true;
   }
-  if (!cases::has_routine_format(v)) {
-    return fmt::format("fixproof verify {} --format {} --by {} --against {} --case '{}'",
-                       cases::name_of(v.operation), cases::name_of(v.format), row.parties.front(),
-                       fmt::join(row.parties.begin() + 1, row.parties.end(), ","), hex);
-  }
-  constexpr std::array<std::string_view, 4> usual{"model", "oracle", "fast", "type"};
-  const bool unusual =
-      std::any_of(row.parties.begin(), row.parties.end(), [&](const std::string& party) {
-        return std::find(usual.begin(), usual.end(), party) == usual.end();
-      });
-  // Without these options, other chapters, widths or the repaired routine would run too.
-  const bool other_chapter =
-      (v.build.target == cases::Target::i386 || cases::loses_carry(v)) && !v.build.chapter_52;
-  std::string line =
-      fmt::format("fixproof verify {}{}{}{} --case '{}'", cases::name_of(v.operation),
-                  variant_options(v, "--round"), other_chapter ? " --chapter 54" : "",
-                  v.format == cases::q8_8 ? " --width half" : "", hex);
-  if (unusual) {
-    line += fmt::format(" --by {} --against {}", row.parties.front(),
-                        fmt::join(row.parties.begin() + 1, row.parties.end(), ","));
-  }
-  return line;
+  result.verify = fmt::format(
+      "fixproof verify {}{} --case '{}' --by {} --against {}", cases::name_of(v.operation),
+      row_options(v), cases::hex_words(words, cases::operand_bits(v)), shell_word(parties.front()),
+      shell_word(fmt::format("{}", fmt::join(parties.begin() + 1, parties.end(), ","))));
+  const bool has_model = std::ranges::any_of(
+      parties, [](const std::string& party) { return party == "model" || party == "interpreter"; });
+  if (has_model && v.format == cases::q16_16) result.trace = trace_line(v, words);
+  return result;
 }
 
 }  // namespace fixproof::verify

@@ -91,4 +91,24 @@ std::int32_t mul_throws(std::int32_t /*a*/, std::int32_t /*b*/) {
   throw std::runtime_error("no product today");
 }
 
+/// Wrong wherever the right word is another one, for operands and results of every width: callers
+/// of C take the low bits, and pass operands that nobody reads.
+std::uint64_t wrong() { return 0x5bd1e9955bd1e995; }
+
+void cossin_wrong(std::int16_t /*angle*/, std::int32_t* cos, std::int32_t* sin) {
+  *cos = *sin = 0x5bd1e995;
+}
+
+void transform_wrong(const std::int32_t* /*matrix*/, const std::int32_t* /*operand*/,
+                     std::int32_t* result) {
+  result[0] = 0x5bd1e995;
+}
+
+/// Wrong only where it follows another element.
+void muls_but_first(const std::int32_t* a, const std::int32_t* b, std::int32_t* results,
+                    std::size_t count) {
+  muls(a, b, results, count);
+  for (std::size_t i = 1; i < count; ++i) ++results[i];
+}
+
 }  // extern "C"

@@ -378,9 +378,10 @@ TEST_P(WrongParty, IsFoundAndTheReportIsReadBack) {
   const verify::Mismatch& shown = report.findings[0].shown[0];
   EXPECT_FALSE(shown.smallest.empty());
   EXPECT_NE(shown.said[0].second, shown.said[1].second);
-  EXPECT_NE(verify::replay(report.plan.rows()[0], shown.smallest)
-                .find(fmt::format("verify mul --format {} --by", GetParam())),
+  const verify::Replay again = verify::replay(report.plan.rows()[0], shown);
+  EXPECT_NE(again.verify.find(fmt::format("verify mul --format {} --case", GetParam())),
             std::string::npos);
+  EXPECT_TRUE(again.verify.ends_with(" --by saboteur --against type")) << again.verify;
   const std::string text = verify::to_json(report);
   EXPECT_NE(text.find(fmt::format("\"format\": \"{}\"", GetParam())), std::string::npos);
   const verify::Report back = verify::from_json(text);

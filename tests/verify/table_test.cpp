@@ -54,7 +54,7 @@ TEST(TableText, OperandsInDecimal) {
       "-127.00391");
 }
 
-TEST(Table, ShowsEachDistinctMismatchOnceOnOneLine) {
+TEST(Table, ShowsEachDistinctMismatchOnce) {
   const auto liar =
       test::saboteur([](Words in, std::span<std::uint32_t> out, parties::Ending& ending) {
         if (in[0] == 0x80000000U && in[1] == 0) out[0] = 7;
@@ -62,11 +62,13 @@ TEST(Table, ShowsEachDistinctMismatchOnceOnOneLine) {
       });
   const std::string text = cli::table(report_of(liar, 1000));
   EXPECT_EQ(
-      count(text, "mul i386 on: 80000000 00000000 (-32768 0): saboteur 00000007, fast 00000000; "),
+      count(text, "mul i386 on: 80000000 00000000 (-32768 0): saboteur 00000007, fast 00000000"),
       1U);
-  EXPECT_EQ(count(text, "mul i386 on: 00000000 00000001 (0 0.00002): saboteur DE, fast 00000000; "),
+  EXPECT_EQ(count(text, "mul i386 on: 00000000 00000001 (0 0.00002): saboteur DE, fast 00000000"),
             1U);
-  EXPECT_EQ(count(text, "replay: "), 2U);
+  EXPECT_EQ(count(text, "\n  replay: fixproof verify mul --target i386 "), 2U);
+  EXPECT_EQ(count(text, " --by saboteur --against fast\n"), 2U);
+  EXPECT_EQ(count(text, "trace: "), 0U);
   EXPECT_EQ(count(text, "DIFFER"), 2U);  // once in the row, once in the verdict
 }
 
