@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <boost/noncopyable.hpp>
 #include <cstdio>
@@ -11,10 +10,8 @@
 #include <memory>
 #include <new>
 
-#include "cli/commands.hpp"
 #include "cli/option_names.hpp"
 #include "cli/print_error.hpp"
-#include "proof/process.hpp"
 #include "support/build_info/build_info.hpp"
 #include "support/interrupt.hpp"
 #include "support/usage_error.hpp"
@@ -23,39 +20,17 @@ namespace fixproof::cli {
 
 namespace {
 
-void add_all(CLI::App& app, int& status) {
-  app.name("fixproof");
-  app.formatter(std::make_shared<HelpFormatter>());
-  app.require_subcommand(0, 1);
-  app.set_version_flag("--version", std::string(support::program_version()));
-  add_verify(app, status);
-  add_merge(app, status);
-  add_gen(app, status);
-  add_check(app, status);
-  add_judge(app, status);
-  add_eval(app, status);
-  add_step(app, status);
-  add_trace(app, status);
-  add_list(app, status);
-  add_prove(app, status);
-  add_mutate(app, status);
-  add_dos(app, status);
-  add_desync(app, status);
-  add_render(app, status);
-  add_drift(app, status);
-  add_measure(app, status);
-  add_profile(app, status);
-  add_advise(app, status);
-  add_report(app, status);
-}
-
 /// @throws std::bad_alloc
-int run(std::vector<std::string> arguments) {
+int run(std::vector<std::string> arguments, AddCommands& add_commands) {
   CLI::App app{
       "Bit-exact verification of 16.16 fixed-point arithmetic. Compares a register-level model of\n"
       "FIXED.ASM for the 8088 and the 386, a big-integer oracle and a C++ number type."};
   int status = 0;
-  add_all(app, status);
+  app.name("fixproof");
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.require_subcommand(0, 1);
+  app.set_version_flag("--version", std::string(support::program_version()));
+  add_commands(app, status);
   try {
     // CLI11 expects the arguments in reverse order.
     std::reverse(arguments.begin(), arguments.end());
@@ -75,7 +50,7 @@ int run(std::vector<std::string> arguments) {
   } catch (const CLI::ParseError& error) {
     print_error(fmt::format("{} (see fixproof --help)", error.what()));
     return 2;
-  } catch (const proof::Stopped&) {
+  } catch (const support::Stopped&) {
     print_error("stopped");
     return support::interrupted_status;
   } catch (const std::bad_alloc&) {
@@ -96,9 +71,9 @@ int run(std::vector<std::string> arguments) {
 
 }  // namespace
 
-int run_command_line(std::vector<std::string> arguments) {
+int run_command_line(std::vector<std::string> arguments, AddCommands& add_commands) {
   try {
-    return run(std::move(arguments));
+    return run(std::move(arguments), add_commands);
   } catch (const std::bad_alloc&) {
     std::cout.flush();
     print_error("out of memory");

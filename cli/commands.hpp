@@ -7,6 +7,8 @@
 
 namespace fixproof::cli {
 
+void add_all_commands(CLI::App& app, int& status);
+
 void add_verify(CLI::App& app, int& status);
 void add_gen(CLI::App& app, int& status);
 void add_check(CLI::App& app, int& status);

@@ -22,7 +22,7 @@ struct ListingOptions {
 /// @param at an offset in the file, a range to search, or empty to search the whole file
 /// @return the exit status: 0 if all listings are confirmed, else 1
 /// @throws support::UsageError for a wrong option, or if the file or a program cannot be used
-/// @throws proof::Stopped if the user interrupts the search
+/// @throws support::Stopped if the user interrupts the search
 int judge_against_listings(const std::string& file, const std::string& at,
                            const ListingOptions& options);
 

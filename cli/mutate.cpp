@@ -16,7 +16,6 @@
 #include "cli/solver_options.hpp"
 #include "machine_code/programs.hpp"
 #include "proof/kill.hpp"
-#include "proof/process.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
@@ -85,7 +84,7 @@ void judge_all(std::vector<Trial>& trials, const MutateOptions& options,
         trial.done = true;
         progress.show(++done);
       }
-    } catch (const proof::Stopped&) {
+    } catch (const support::Stopped&) {
       // An interrupt stopped the solver. This trial has no result, and every worker ends.
     } catch (...) {
       next = trials.size();

@@ -19,7 +19,6 @@
 #include "proof/kill.hpp"
 #include "proof/lemmas.hpp"
 #include "proof/lost_carry.hpp"
-#include "proof/process.hpp"
 #include "proof/step_proof.hpp"
 #include "support/file.hpp"
 #include "support/folder_lock.hpp"
@@ -233,7 +232,7 @@ Tally prove_all(const Programs& programs, const ProveOptions& options) {
     for (const x86model::LoopForm& form : programs.loops) {
       prove_loop(form, options.solver.seconds, solver, tally);
     }
-  } catch (const proof::Stopped&) {
+  } catch (const support::Stopped&) {
     // The summary counts the remaining goals.
   } catch (const std::runtime_error& error) {
     tally.failure = error.what();

@@ -27,6 +27,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/commands.hpp"
 #include "fuzz/captured_output.hpp"
 #include "fuzz/control_characters.hpp"
 #include "fuzz/finding.hpp"
@@ -206,7 +207,7 @@ Ending run(const Input& input) {
     const fuzz::CapturedOutput out_below(STDOUT_FILENO);  // `gen` writes there
     const fuzz::CapturedOutput err(STDERR_FILENO);
     try {
-      ending.status = cli::run_command_line(input.arguments);
+      ending.status = cli::run_command_line(input.arguments, cli::add_all_commands);
     } catch (const std::exception& error) {
       thrown = error.what();
     }

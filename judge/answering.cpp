@@ -6,7 +6,6 @@
 #include <chrono>
 
 #include "cases/words.hpp"
-#include "proof/process.hpp"
 #include "support/interrupt.hpp"
 #include "support/usage_error.hpp"
 
@@ -67,7 +66,7 @@ class Pass {
         batch.insert(batch.end(), one.begin(), one.end());
         origins.push_back(cases.origin());
       }
-      if (support::Interrupt::flag()) throw proof::Stopped();
+      if (support::Interrupt::flag()) throw support::Stopped();
       const auto answers = runner_.answers(batch);
       for (std::size_t i = 0; i < answers.size(); ++i) {
         const auto words = std::span(batch).subspan(i * in, in);

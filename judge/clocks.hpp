@@ -52,7 +52,7 @@ struct RoutineClocks {
 
 /// Counts the calls that inspect() looks at. Needs Unicorn and ndisasm.
 /// @throws support::UsageError if ndisasm cannot be run
-/// @throws proof::Stopped if the user interrupts
+/// @throws support::Stopped if the user interrupts
 RoutineClocks count_clocks(const Subject& subject);
 
 }  // namespace fixproof::judge

@@ -18,7 +18,6 @@
 
 #include "judge/message.hpp"
 #include "judge/system_calls.hpp"
-#include "proof/process.hpp"
 #include "support/die_with_parent.hpp"
 #include "support/interrupt.hpp"
 
@@ -176,7 +175,7 @@ Reply Confined::ask(std::string_view request, const Allowance& allowance) {
     poll(waits.data(), waits.size(), poll_interval);
     if (support::Interrupt::flag()) {
       bury();
-      throw proof::Stopped();
+      throw support::Stopped();
     }
     if (waits[1].revents != 0 && !send_some(to_.number(), unsent)) return bury();
     if (waits[0].revents != 0) {

@@ -45,7 +45,7 @@ class Server : private boost::noncopyable {
   virtual ~Server() = default;
 
   /// Sends a request and waits for the reply. After a downfall no request is answered.
-  /// @throws proof::Stopped if Interrupt::flag() is set
+  /// @throws support::Stopped if Interrupt::flag() is set
   virtual Reply ask(std::string_view request, const Allowance& allowance) = 0;
   [[nodiscard]] virtual bool is_alive() const = 0;
   /// Returns the number of steps that the server claims to have done for the last request.

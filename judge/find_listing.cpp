@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "proof/process.hpp"
 #include "support/interrupt.hpp"
 
 namespace fixproof::judge {
@@ -204,7 +203,7 @@ bool begins_alike(const CanonicalRoutine& listed, const CanonicalRoutine& found)
 
 /// A file that begins like a listing at every third byte takes minutes.
 void stop_if_interrupted() {
-  if (support::Interrupt::flag()) throw proof::Stopped();
+  if (support::Interrupt::flag()) throw support::Stopped();
 }
 
 }  // namespace

@@ -43,13 +43,13 @@ struct Range {
 };
 
 /// Finds every place in the range where the code is the first routine of a listing.
-/// @throws proof::Stopped if the user interrupts the search
+/// @throws support::Stopped if the user interrupts the search
 std::vector<ListingComparison> find_listing(Code& listing, Code& code, Range range);
 
 /// Finds the place with the fewest differences. Three of the first six instructions must be those
 /// of the listing, and at most half of the listing's instructions may differ.
 /// @param taken parts of the code that are other listings
-/// @throws proof::Stopped if the user interrupts the search
+/// @throws support::Stopped if the user interrupts the search
 std::optional<ListingComparison> find_nearest(Code& listing, Code& code, Range range,
                                               const std::vector<Range>& taken);
 

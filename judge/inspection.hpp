@@ -35,7 +35,7 @@ struct Inspection {
 };
 
 /// Traces 40 evenly spread cases on Unicorn, which must be installed.
-/// @throws support::UsageError if ndisasm cannot be run; proof::Stopped
+/// @throws support::UsageError if ndisasm cannot be run; support::Stopped
 Inspection inspect(const Subject& subject);
 
 /// One call as text, and how it ended.

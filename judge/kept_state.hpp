@@ -20,7 +20,7 @@ struct KeptState {
 
 /// Looks for such memory outside the stack and the operands, in traces of a case and of those of
 /// inspect(). Needs Unicorn and ndisasm.
-/// @throws support::UsageError if ndisasm cannot be run; proof::Stopped
+/// @throws support::UsageError if ndisasm cannot be run; support::Stopped
 std::optional<KeptState> find_kept_state(const Subject& subject,
                                          std::span<const std::uint32_t> words);
 

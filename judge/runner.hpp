@@ -50,7 +50,7 @@ class Runner {
   /// in order. Stops after a case that neither returns nor raises #DE, and only then has fewer
   /// answers. If the process dies at a case, that case gets End::fault, or End::endless if it took
   /// too long.
-  /// @throws proof::Stopped; std::system_error if the system provides no process
+  /// @throws support::Stopped; std::system_error if the system provides no process
   std::vector<Answer> answers(std::span<const std::uint32_t> words);
   /// Returns why the process last died, or Downfall::none if it never did.
   [[nodiscard]] Downfall downfall() const { return downfall_; }
@@ -85,7 +85,7 @@ std::optional<TracedCall> read_trace(std::string_view reply);
 
 /// Traces one call on Unicorn. Returns nothing if its process dies, which only a defect of Unicorn
 /// can cause.
-/// @throws proof::Stopped
+/// @throws support::Stopped
 std::optional<TracedCall> traced(const Subject& subject, std::span<const std::uint32_t> words);
 
 }  // namespace fixproof::judge

@@ -36,7 +36,7 @@ bool confines_tools();
 /// and no environment variables. It ends with this process. Where confines_tools(), it may read the
 /// libraries of the system and the files below `folder`, if one is named, and read and write
 /// `files`.
-/// @throws support::UsageError if it cannot be run or exceeds a limit; proof::Stopped
+/// @throws support::UsageError if it cannot be run or exceeds a limit; support::Stopped
 proof::Output run_tool(const std::vector<std::string>& arguments, const std::string& input,
                        const std::string& folder = {},
                        const std::vector<const ToolFile*>& files = {});

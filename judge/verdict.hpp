@@ -58,7 +58,7 @@ struct Verdict {
 
 /// Judges an operation of check::is_judged(). Stops at the first call that neither returns nor
 /// raises #DE.
-/// @throws support::UsageError if no machine can run the routine; proof::Stopped
+/// @throws support::UsageError if no machine can run the routine; support::Stopped
 Verdict judge_routine(const Subject& subject, const VerdictOptions& options);
 
 /// Returns a case and its result in the form that check judges.

@@ -69,7 +69,7 @@ MutantResult result_of(std::optional<std::uint64_t> killed_by, const Subject& su
   MutantResult result;
   try {
     result.proof = prove(subject, program, solver, max_seconds);
-  } catch (const Stopped&) {
+  } catch (const support::Stopped&) {
     throw;
   } catch (const std::exception& error) {
     result.failure = error.what();

@@ -42,7 +42,7 @@ std::optional<std::uint64_t> cases_to_kill(const cases::Variant& variant,
 /// Runs the cases of level 1 until one kills the program. The solver judges a program that
 /// survives. If the solver fails, the result is a gap and `failure` holds the reason.
 /// @param max_seconds time limit per question to the solver
-/// @throws Stopped
+/// @throws support::Stopped
 MutantResult judge(const cases::Variant& variant, const x86model::Program& program,
                    std::uint64_t seed, const Solver& solver, int max_seconds);
 

@@ -128,14 +128,14 @@ bool wait_until(Clock::time_point latest, bp::child& program, bp::group& group) 
 
 Output run_program(const std::vector<std::string>& arguments, const std::string& input,
                    std::chrono::milliseconds limit, const std::function<void()>& confine) {
-  if (support::Interrupt::flag()) throw Stopped();
+  if (support::Interrupt::flag()) throw support::Stopped();
   const File in = file_with(input);
   const File out = temporary_file();
   const File err = temporary_file();
   bp::group group;
   bp::child program = start(arguments, group, in.get(), out.get(), err.get(), confine);
   const bool in_time = wait_until(Clock::now() + limit, program, group);
-  if (!in_time && support::Interrupt::flag()) throw Stopped();
+  if (!in_time && support::Interrupt::flag()) throw support::Stopped();
   const int status = program.native_exit_code();
   if (in_time && WIFSIGNALED(status)) {
     throw Killed(fmt::format("{} was ended by signal {}", arguments.front(), WTERMSIG(status)));

@@ -10,12 +10,6 @@
 
 namespace fixproof::proof {
 
-/// Interrupt::flag() was set, so there is no result.
-class Stopped : public std::runtime_error {
- public:
-  Stopped() : std::runtime_error("stopped") {}
-};
-
 /// A signal ended the program.
 class Killed : public std::runtime_error {
  public:
@@ -34,7 +28,7 @@ struct Output {
 /// is killed.
 /// @param confine if there is one, it runs in the child before the program, which then gets no
 /// environment variables
-/// @throws Stopped if the flag is set; std::system_error if the program cannot be started; Killed
+/// @throws support::Stopped if the flag is set; std::system_error if the program cannot be started; Killed
 /// if a signal ends it
 Output run_program(const std::vector<std::string>& arguments, const std::string& input,
                    std::chrono::milliseconds limit, const std::function<void()>& confine = {});

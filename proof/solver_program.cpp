@@ -42,7 +42,7 @@ std::vector<std::string> command_of(const std::string& solver, int max_seconds) 
 Output output_for(const std::string& solver, int max_seconds, const std::string& script) {
   try {
     return run_program(command_of(solver, max_seconds), script, seconds(max_seconds) + grace);
-  } catch (const Stopped&) {
+  } catch (const support::Stopped&) {
     throw;
   } catch (const std::runtime_error& error) {
     throw SolverError(error.what());

@@ -36,7 +36,7 @@ std::string name_of(Satisfiability verdict);
 class SolverProgram {
  public:
   /// @param name z3 or cvc5
-  /// @throws UsageError if the program is not on the PATH or cannot print its version; Stopped
+  /// @throws UsageError if the program is not on the PATH or cannot print its version; support::Stopped
   explicit SolverProgram(const std::string& name);
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -46,7 +46,7 @@ class SolverProgram {
   /// Asks one question, whose script ends in its only (check-sat), with a time limit of
   /// `max_seconds`.
   /// @throws SolverError if the solver cannot run, exits with a status other than 0, says anything
-  /// else than an answer, or "sat" without a model that satisfies the script; Stopped
+  /// else than an answer, or "sat" without a model that satisfies the script; support::Stopped
   [[nodiscard]] SolverAnswer ask(const std::string& script, int max_seconds) const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <boost/noncopyable.hpp>
+#include <stdexcept>
 
 namespace fixproof::support {
 
@@ -20,6 +21,12 @@ class Interrupt : private boost::noncopyable {
 
   /// Set by the first signal.
   [[nodiscard]] static const std::atomic<bool>& flag();
+};
+
+/// Interrupt::flag() was set, so there is no result.
+class Stopped : public std::runtime_error {
+ public:
+  Stopped() : std::runtime_error("stopped") {}
 };
 
 }  // namespace fixproof::support

@@ -9,7 +9,6 @@
 #include <csignal>
 #include <cstring>
 
-#include "proof/process.hpp"
 #include "support/interrupt.hpp"
 #include "tests/support/test.hpp"
 
@@ -170,7 +169,7 @@ TEST(Confined, CtrlCEndsTheWaitForTheRestOfAReply) {
   {
     const fixproof::support::Interrupt interrupt;
     (void)std::raise(SIGINT);
-    EXPECT_THROW(child.ask("request", allowance()), fixproof::proof::Stopped);
+    EXPECT_THROW(child.ask("request", allowance()), fixproof::support::Stopped);
   }
   const fixproof::support::Interrupt none_yet;
 }
