@@ -38,7 +38,7 @@ std::string_view advice_on(std::string_view error) {
       error.ends_with("in non-64-bit mode")) {
     return "; judge runs code of 16 bits, or with --bits 32 of 32, not of 64";
   }
-  if (error.find("unable to open") != std::string_view::npos) {
+  if (error.ends_with("Permission denied") || error.ends_with("No such file or directory")) {
     return "; a source may use the files in its folder and below";
   }
   return "";
@@ -116,14 +116,28 @@ std::optional<int> bits_of_source(const std::string& path) {
   return std::nullopt;
 }
 
+namespace {
+
+/// The folder of the file to which a name leads, with a slash at its end.
+/// @throws UsageError if it is not known, because then a source might read every folder
+std::string folder_of(const std::string& name) {
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(name, error).parent_path();
+  if (error || !folder.is_absolute()) {
+    throw UsageError(fmt::format("its folder is not known: {}", error.message()));
+  }
+  return (folder / "").string();
+}
+
+}  // namespace
+
 void load_source(Image& image, const std::string& path) {
   image.container = "NASM source";
   const ToolFile code;
   const ToolFile map;
   // A name that starts with a minus sign must not be an option.
   const std::string name = path.starts_with('-') ? "./" + path : path;
-  std::error_code ignored;  // nasm says what is wrong with the name
-  const std::string folder = fs::weakly_canonical(name, ignored).parent_path().string() + '/';
+  const std::string folder = folder_of(name);
   if (!confines_tools()) image.container += ", assembled without confinement";
   const proof::Output output =
       run_tool(nasm({"--before", fmt::format("[bits {}]", image.bits), "--before",

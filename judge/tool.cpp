@@ -2,10 +2,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkstemp() is POSIX's
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 #ifdef __linux__
+#include <linux/close_range.h>
 #include <linux/landlock.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
@@ -32,9 +34,10 @@ constexpr rlim_t most_memory = rlim_t{512} << 20U;
 /// Of each file that the program writes, also of its messages. The code has at most 1 MiB.
 constexpr rlim_t most_output = rlim_t{4} << 20U;
 
-void limit(int resource, rlim_t most) {
+template <class Resource>
+void limit(Resource resource, rlim_t most) {
   const rlimit both{most, most};
-  setrlimit(static_cast<__rlimit_resource>(resource), &both);
+  setrlimit(resource, &both);
 }
 
 #ifdef __linux__
@@ -97,6 +100,15 @@ class Rules {
 
 int open_nameless() { return memfd_create("fixproof", MFD_CLOEXEC); }
 
+/// In the child: descriptors that this process inherited must not reach the program.
+void close_all_at_exec() {
+  constexpr unsigned first = 3;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): old C libraries have no function for it
+  if (syscall(SYS_close_range, first, ~0U, CLOSE_RANGE_CLOEXEC) == 0) return;
+  constexpr int most = 4096;  // Linux before 5.11
+  for (int i = first; i < most; ++i) fcntl(i, F_SETFD, FD_CLOEXEC);
+}
+
 #else
 
 long version_of_landlock() { return -1; }
@@ -105,6 +117,8 @@ struct Rules {
   Rules(const std::string& /*program*/, const std::string& /*folder*/) {}
   [[nodiscard]] bool apply() const { return true; }
 };
+
+void close_all_at_exec() {}
 
 int open_nameless() {
   std::string name = "/tmp/fixproof.XXXXXX";
@@ -148,6 +162,7 @@ proof::Output run_tool(const std::vector<std::string>& arguments, const std::str
     }
     // Between fork() and exec(): no memory may be allocated.
     const auto confine = [&] {
+      close_all_at_exec();
       for (const ToolFile* file : files) fcntl(file->number(), F_SETFD, 0);
       limit(RLIMIT_CORE, 0);
       limit(RLIMIT_AS, most_memory);

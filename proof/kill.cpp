@@ -8,8 +8,8 @@
 #include "cases/plan.hpp"
 #include "parties/answer.hpp"
 #include "parties/interpreter.hpp"
-#include "proof/process.hpp"
 #include "proof/span_cases.hpp"
+#include "support/interrupt.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::proof {

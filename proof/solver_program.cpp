@@ -10,6 +10,7 @@
 
 #include "proof/model.hpp"
 #include "proof/process.hpp"
+#include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): kill() is POSIX's
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -85,9 +87,7 @@ TEST(Sources, UseLittleMemoryAndWriteLittle) {
   EXPECT_LT(children.ru_maxrss, 1 << 20U) << "KiB";
 }
 
-TEST(Sources, EndInTime) {
-  expect_refused("times 0x7fffffff db 0", "5 s of processor time");
-}
+TEST(Sources, EndInTime) { expect_refused("times 0x7fffffff db 0", "5 s of processor time"); }
 
 void expect_unread(const std::string& text) {
   SCOPED_TRACE(text);
@@ -108,6 +108,47 @@ TEST(Sources, ReadNoFileOfAnotherFolder) {
     expect_unread(fmt::format("incbin \"{}\"\n", file));
     expect_unread(fmt::format("%include \"{}\"\n", file));
   }
+}
+
+/// Changes the current folder as long as it exists.
+class CurrentFolder {
+ public:
+  explicit CurrentFolder(const fs::path& folder) { fs::current_path(folder); }
+  ~CurrentFolder() { fs::current_path(before_); }
+  CurrentFolder(const CurrentFolder&) = delete;
+  CurrentFolder& operator=(const CurrentFolder&) = delete;
+
+ private:
+  fs::path before_ = fs::current_path();
+};
+
+TEST(Sources, AreRefusedIfTheirFolderIsNotKnown) {
+  const ScratchFolder folder;
+  const CurrentFolder back(folder.path());
+  // A path that is too long for getcwd(), so that a relative name cannot be made absolute.
+  const std::string name(200, 'x');
+  for (int i = 0; i < 25; ++i) {
+    ASSERT_EQ(mkdir(name.c_str(), 0700), 0);
+    ASSERT_EQ(chdir(name.c_str()), 0);
+  }
+  std::ofstream("reads.asm") << "incbin \"/etc/passwd\"\n";
+  const auto run = judge("reads.asm", "--bits|32|--list");
+  EXPECT_EQ(run.status, 2) << run.out;
+  EXPECT_NE(run.err.find("its folder is not known"), std::string::npos) << run.err;
+}
+
+TEST(Sources, GetNoDescriptorOfTheShell) {
+  const ScratchFolder folder;
+  const std::string source = folder.write("reads.asm", "%include \"/dev/fd/9\"\n");
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  ASSERT_EQ(write(ends[1], "db 0x5a\n", 8), 8);
+  close(ends[1]);
+  ASSERT_EQ(dup2(ends[0], 9), 9);
+  const auto run = judge(source, "--bits|32|--list");
+  close(ends[0]);
+  close(9);
+  EXPECT_EQ(run.status, 2) << run.out;
 }
 
 TEST(Sources, ReadTheFilesOfTheirFolder) {
