@@ -90,7 +90,7 @@ build() {
 configure_with_tests() {
   local packages=("${test_packages[@]}")
   # sanitize is built with it too.
-  [[ $1 == release ]] || packages+=(clang "libclang-rt-$llvm-dev")
+  [[ $1 == release || $1 == nightly ]] || packages+=(clang "libclang-rt-$llvm-dev")
   install_packages "needed to build Fixproof and its tests" "${packages[@]}"
   configure "$1" -D BUILD_TESTING=ON -D CMAKE_REQUIRE_FIND_PACKAGE_GTest=ON \
     -D CMAKE_REQUIRE_FIND_PACKAGE_rapidcheck=ON -D CMAKE_REQUIRE_FIND_PACKAGE_benchmark=ON
