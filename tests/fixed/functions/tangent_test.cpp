@@ -1,5 +1,5 @@
-/// Tests tangents next to their poles, in every format of at most 32 bits, under every rule for
-/// results out of range.
+/// Tests tangents next to their poles, in every format of 32 bits and some of 8 and 16, and under
+/// every rule for results out of range in some of them.
 #include <utility>
 
 #include "tests/fixed/functions/functions.hpp"
@@ -50,7 +50,15 @@ const Integer& quarter_turn(Function tangent) {
   return tangent == Function::tan ? radians : tangent == Function::tan_of_degrees ? degrees : turns;
 }
 
-/// The results under every rule for results out of range. \param compute the tangent, of any format
+/// Whether formats with F fraction bits stand for the others of their width.
+template <class Raw, int F>
+constexpr bool stands_for_others() {
+  constexpr int bits = 8 * sizeof(Raw);
+  return F == 0 || F == bits / 2 || F >= bits - 2;
+}
+
+/// The results under the rules for results out of range: all of them in formats that stand for
+/// others. \param compute the tangent, of any format
 template <class Raw, int F, class Compute>
 void expect_nearest(Function tangent, Raw word, const Compute& compute) {
   using limits = std::numeric_limits<Raw>;
@@ -59,14 +67,16 @@ void expect_nearest(Function tangent, Raw word, const Compute& compute) {
                        : !exact || *exact > limits::max() ? limits::max()
                                                           : static_cast<Raw>(*exact);
   ASSERT_EQ(compute(wrapping<Raw, F>::from_raw(word)).raw(), in_range);
-  ASSERT_EQ(compute(saturating<Raw, F>::from_raw(word)).raw(), in_range);
-  trapping<Raw, F> result;
-  const Ending ending = ending_of([&] { result = compute(trapping<Raw, F>::from_raw(word)); });
-  ASSERT_EQ(ending, !exact               ? Ending::domain_error
-                    : *exact != in_range ? Ending::overflow_error
-                                         : Ending::value);
-  if (ending == Ending::value) {
-    ASSERT_EQ(result.raw(), in_range);
+  if constexpr (stands_for_others<Raw, F>()) {
+    ASSERT_EQ(compute(saturating<Raw, F>::from_raw(word)).raw(), in_range);
+    trapping<Raw, F> result;
+    const Ending ending = ending_of([&] { result = compute(trapping<Raw, F>::from_raw(word)); });
+    ASSERT_EQ(ending, !exact               ? Ending::domain_error
+                      : *exact != in_range ? Ending::overflow_error
+                                           : Ending::value);
+    if (ending == Ending::value) {
+      ASSERT_EQ(result.raw(), in_range);
+    }
   }
 }
 
@@ -114,12 +124,23 @@ void expect_nearest_at_poles(Function tangent, const Compute& compute) {
   }
 }
 
+#ifdef FIXPROOF_FEW_TYPES
+// The fraction bits decide what can be out of range, the flags of this program how it is computed.
+template <class Raw>
+constexpr bool has_all_formats = false;
+#else
+template <class Raw>
+constexpr bool has_all_formats = sizeof(Raw) == 4;
+#endif
+
 template <class Raw, int F>
 void expect_nearest_at_all_poles() {
-  expect_nearest_at_poles<Raw, F>(Function::tan, [](auto x) { return tan(x); });
-  expect_nearest_at_poles<Raw, F>(Function::tan_of_degrees,
-                                  [](auto x) { return tan_of_degrees(x); });
-  expect_nearest_at_poles<Raw, F>(Function::tan_of_turns, [](auto x) { return tan_of_turns(x); });
+  if constexpr (has_all_formats<Raw> || stands_for_others<Raw, F>()) {
+    expect_nearest_at_poles<Raw, F>(Function::tan, [](auto x) { return tan(x); });
+    expect_nearest_at_poles<Raw, F>(Function::tan_of_degrees,
+                                    [](auto x) { return tan_of_degrees(x); });
+    expect_nearest_at_poles<Raw, F>(Function::tan_of_turns, [](auto x) { return tan_of_turns(x); });
+  }
 }
 
 template <class Raw, int... F>
