@@ -28,8 +28,8 @@ struct Output {
 /// is killed.
 /// @param confine if there is one, it runs in the child before the program, which then gets no
 /// environment variables
-/// @throws support::Stopped if the flag is set; std::system_error if the program cannot be started; Killed
-/// if a signal ends it
+/// @throws support::Stopped if the flag is set; std::system_error if the program cannot be started;
+/// Killed if a signal ends it
 Output run_program(const std::vector<std::string>& arguments, const std::string& input,
                    std::chrono::milliseconds limit, const std::function<void()>& confine = {});
 

@@ -36,7 +36,8 @@ std::string name_of(Satisfiability verdict);
 class SolverProgram {
  public:
   /// @param name z3 or cvc5
-  /// @throws UsageError if the program is not on the PATH or cannot print its version; support::Stopped
+  /// @throws UsageError if the program is not on the PATH or cannot print its version;
+  /// support::Stopped
   explicit SolverProgram(const std::string& name);
 
   [[nodiscard]] const std::string& name() const { return name_; }

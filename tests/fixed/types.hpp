@@ -47,7 +47,8 @@ using all_types = testing::Types<
     number<std::int32_t, 16, floor_and_wrap>, number<std::int32_t, 16, away_and_wrap>,
     number<std::int32_t, 16, whole_divisor_saturating>, number<std::int32_t, 16, fault_before_trap>,
     number<std::int32_t, 16, fault_and_saturate>, number<std::int32_t, 16, zero_fault_and_trap>,
-    number<std::int16_t, 8, floor_and_saturate>, number<std::int16_t, 8, whole_divisor_saturating>>;
+    number<std::int16_t, 8, floor_and_saturate>,
+    number<std::int16_t, 8, whole_divisor_saturating> >;
 
 /// Whether two policies differ at most in products.
 constexpr bool divide_alike(policy a, const policy& b) {
@@ -70,7 +71,7 @@ using dividing_types = testing::Types<
     number<std::int32_t, 16, away_and_wrap>, number<std::int32_t, 16, whole_divisor_saturating>,
     number<std::int32_t, 16, fault_before_trap>, number<std::int32_t, 16, fault_and_saturate>,
     number<std::int32_t, 16, zero_fault_and_trap>, number<std::int16_t, 8, floor_and_saturate>,
-    number<std::int16_t, 8, whole_divisor_saturating>>;
+    number<std::int16_t, 8, whole_divisor_saturating> >;
 
 /// Covers each distinct rounding of products under each overflow, for tests without division.
 using some_types =
