@@ -38,7 +38,8 @@ std::string_view advice_on(std::string_view error) {
       error.ends_with("in non-64-bit mode")) {
     return "; judge runs code of 16 bits, or with --bits 32 of 32, not of 64";
   }
-  if (error.ends_with("Permission denied") || error.ends_with("No such file or directory")) {
+  if (error.find("unable to open") != std::string_view::npos &&
+      !error.ends_with("Too many open files")) {
     return "; a source may use the files in its folder and below";
   }
   return "";
