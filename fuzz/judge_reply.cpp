@@ -1,6 +1,6 @@
 // Target `judge_reply`: what a process that runs a user's routine sends back. The first byte
 // chooses what is read: `a` replies to batches of cases, `t` a traced call, `m` a message in
-// pieces. Any bytes must be refused, or give at most one answer for each case, of which only the
+// pieces. Any bytes must be refused, or give at most one answer for each case, and only the
 // last may be stuck, or a trace whose accesses belong to its steps, or the message that was sent.
 #include <algorithm>
 #include <cstddef>

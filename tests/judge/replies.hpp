@@ -25,7 +25,7 @@ inline std::string bytes_of(const std::vector<judge::Answer>& answers) {
   return bytes_of_all(answers);
 }
 
-/// A multiply, of which only the number of operands counts.
+/// A multiply. Only its number of operands matters here.
 inline judge::Subject subject() {
   return {.image = {},
           .frame = {},

@@ -55,7 +55,7 @@ std::vector<std::uint32_t> case_of(const cases::Variant& v) {
   return words;
 }
 
-/// The commands for a case of these parties, of which the engine would write down what they said.
+/// The commands for a case, with what these parties said of it.
 verify::Replay replay_of(const cases::Variant& v, std::span<const parties::Party* const> parties) {
   verify::Mismatch mismatch;
   mismatch.words = case_of(v);
