@@ -86,14 +86,14 @@ build() {
     die "building '$target' in $root/build/$preset failed, see above"
 }
 
-# configure_with_tests PRESET: a missing test library is an error, never a smaller set of tests.
+# configure_with_tests PRESET [CMAKE OPTION]...: a missing test library is an error, never a smaller set of tests.
 configure_with_tests() {
   local packages=("${test_packages[@]}")
   # sanitize is built with it too.
   [[ $1 == release || $1 == nightly ]] || packages+=(clang "libclang-rt-$llvm-dev")
   install_packages "needed to build Fixproof and its tests" "${packages[@]}"
   configure "$1" -D BUILD_TESTING=ON -D CMAKE_REQUIRE_FIND_PACKAGE_GTest=ON \
-    -D CMAKE_REQUIRE_FIND_PACKAGE_rapidcheck=ON -D CMAKE_REQUIRE_FIND_PACKAGE_benchmark=ON
+    -D CMAKE_REQUIRE_FIND_PACKAGE_rapidcheck=ON -D CMAKE_REQUIRE_FIND_PACKAGE_benchmark=ON "${@:2}"
 }
 
 # files_named PATTERN...: files of the tree by name, NUL-separated, sorted; without git.

@@ -31,6 +31,14 @@ struct Ending {
 
 namespace detail {
 
+template <class M>
+using Handler = Outcome (*)(const Instruction&, M&);
+
+template <Mnemonic op, class M>
+Outcome execute_on_any(const Instruction& instruction, M& m) {
+  return execute<op>(instruction, m);
+}
+
 /// Executes an instruction whose first operand is a word register and whose second is of `kind`, as
 /// in most rows of the listings. Stating both again leaves the compiler no other case to test for.
 template <Mnemonic op, Operand::Kind kind, class M>
@@ -40,6 +48,24 @@ Outcome execute_on_word_register(const Instruction& instruction, M& m) {
   known.operands[0].size = Size::word;
   known.operands[1].kind = kind;
   return execute<op>(known, m);
+}
+
+/// Whether instructions have this mnemonic, a word register, and a second operand of this kind.
+/// What has not does not deserve a handler of its own.
+constexpr bool takes_word_register(Mnemonic op, Operand::Kind second) {
+  using Kind = Operand::Kind;
+  if (op == Mnemonic::mov || is_two_operand(op)) {
+    return second == Kind::reg || second == Kind::memory || second == Kind::immediate;
+  }
+  if (is_shift(op)) return second == Kind::immediate;
+  if (is_double_shift(op)) return second == Kind::reg;
+  return !is_store_string(op) && second == Kind::none;
+}
+
+template <Mnemonic op, Operand::Kind second, class M>
+constexpr Handler<M> handler_on_word_register() {
+  if constexpr (takes_word_register(op, second)) return &execute_on_word_register<op, second, M>;
+  return &execute_on_any<op, M>;
 }
 
 /// The number of kinds of operands, rounded up to a power of two, which is faster to index.
@@ -52,14 +78,13 @@ static_assert(static_cast<std::size_t>(Operand::Kind::label) < kinds);
 template <class M>
 Outcome execute_any(const Instruction& instruction, M& m) {
   using detail::kinds;
-  using Handler = Outcome (*)(const Instruction&, M&);
   constexpr auto straight = static_cast<std::size_t>(Mnemonic::jmp);  // those before control flow
   const auto op = static_cast<std::size_t>(instruction.mnemonic);
   if constexpr (!detail::prefers_small_code) {
     static constexpr auto on_word_register = []<std::size_t... I>(std::index_sequence<I...>) {
-      return std::array<Handler, sizeof...(I)>{
-          &detail::execute_on_word_register<static_cast<Mnemonic>(I / kinds),
-                                            static_cast<Operand::Kind>(I % kinds), M>...};
+      return std::array<detail::Handler<M>, sizeof...(I)>{
+          detail::handler_on_word_register<static_cast<Mnemonic>(I / kinds),
+                                           static_cast<Operand::Kind>(I % kinds), M>()...};
     }
     (std::make_index_sequence<straight * kinds>{});
     const Operand& first = instruction.operands[0];
@@ -69,9 +94,8 @@ Outcome execute_any(const Instruction& instruction, M& m) {
     }
   }
   static constexpr auto on_any = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<Handler, sizeof...(I)>{+[](const Instruction& i, M& machine) {
-      return execute<static_cast<Mnemonic>(I)>(i, machine);
-    }...};
+    return std::array<detail::Handler<M>, sizeof...(I)>{
+        &detail::execute_on_any<static_cast<Mnemonic>(I), M>...};
   }
   (std::make_index_sequence<straight>{});
   return on_any[op](instruction, m);

@@ -62,7 +62,7 @@ struct Turn {};
 /// Of a policy under which only formats take part that stand for others.
 using NoTurn = Turn<1, 1>;
 
-#ifdef FIXPROOF_ALL_COMBINATIONS
+#ifdef FIXPROOF_NIGHTLY
 inline constexpr bool all_combinations = true;
 #else
 inline constexpr bool all_combinations = false;

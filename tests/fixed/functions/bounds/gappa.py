@@ -5,6 +5,10 @@ import subprocess
 from fractions import Fraction
 
 
+def version():
+    return subprocess.run(["gappa", "--version"], text=True, capture_output=True, check=True).stdout.strip()
+
+
 class NotProven(Exception):
     pass
 
@@ -137,6 +141,10 @@ class Exact:
     def text(self):
         return f"# {self.name}: by fractions"
 
+    def question(self):
+        """All that decides the rows of a page."""
+        return f"{self.name} {self.low} {self.high} {self.bits} {self.allowed}"
+
     def errors(self):
         self.check()
         yield Error(self.name, self.low, self.high, self.bits, interval(*self.allowed) if self.allowed else "")
@@ -156,6 +164,11 @@ class Proof:
         goal = asked or f"in [{dyadic(self.low / 2**self.bits, True)},{dyadic(self.high / 2**self.bits, False)}]"
         given = "\n  /\\ ".join(self.given)
         return "\n".join([*self.lines, f"{{ {given}\n  -> {error or self.error} {goal} }}", *self.hints, ""])
+
+    def question(self):
+        """All that decides the rows of a page: what Gappa is asked, and how the page writes its answer."""
+        asked = [self.text(), *(f"{name} {error} {bits}" for name, error, bits in self.parts)]
+        return "\n".join([*asked, f"{self.name} {self.low} {self.high} {self.bits} {self.grows}"])
 
     @staticmethod
     def run(text):
