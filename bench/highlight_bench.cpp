@@ -61,7 +61,7 @@ template <>
 struct Arithmetic<Repeated> {
   using N = Repeated;
   using Of = Arithmetic<Type>;
-  static constexpr bool divides_by_whole_part = false;
+  static constexpr bool divides_by_whole_part() { return false; }
 
   static std::int32_t raw(N x) { return x.n.raw(); }
   static N from_raw(std::int32_t raw) { return {Type::from_raw(raw)}; }

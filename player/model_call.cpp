@@ -10,8 +10,21 @@ namespace {
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): see Recording
 thread_local OperandLog* log_of_thread = nullptr;
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): see InBuild
+thread_local const InBuild* build_of_thread = nullptr;
 
 }  // namespace
+
+InBuild::InBuild(const cases::Build& build) : build_(build), outer_(build_of_thread) {
+  build_of_thread = this;
+}
+
+InBuild::~InBuild() { build_of_thread = outer_; }
+
+const cases::Build& InBuild::current() {
+  if (build_of_thread == nullptr) throw std::logic_error("a ModelNumber outside a build");
+  return build_of_thread->build_;
+}
 
 Recording::Recording(OperandLog& log) {
   if (log_of_thread != nullptr) throw std::logic_error("two recordings on one thread");

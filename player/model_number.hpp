@@ -1,5 +1,6 @@
 /// @file
-/// A number whose multiplies, divides, sines and transforms run the listings on the model.
+/// A number whose multiplies, divides, sines and transforms run the listings on the model, in the
+/// build that InBuild sets.
 #pragma once
 
 #include <array>
@@ -15,7 +16,6 @@
 namespace fixproof::player {
 
 /// A 16.16 number. Sums, differences and comparisons call no routine; they wrap.
-template <cases::Build build>
 class ModelNumber {
  public:
   constexpr ModelNumber() = default;
@@ -28,8 +28,8 @@ class ModelNumber {
   [[nodiscard]] constexpr std::uint32_t word() const { return word_; }
   [[nodiscard]] constexpr std::int32_t raw() const { return static_cast<std::int32_t>(word_); }
 
-  static constexpr cases::Variant variant(cases::Operation operation) {
-    return cases::variant_of(operation, build);
+  static cases::Variant variant(cases::Operation operation) {
+    return cases::variant_of(operation, InBuild::current());
   }
 
   friend constexpr ModelNumber operator+(ModelNumber a, ModelNumber b) {
@@ -57,9 +57,9 @@ class ModelNumber {
 
 namespace xsharp {
 
-template <fixproof::cases::Build build>
-struct Arithmetic<fixproof::player::ModelNumber<build>> {
-  using N = fixproof::player::ModelNumber<build>;
+template <>
+struct Arithmetic<fixproof::player::ModelNumber> {
+  using N = fixproof::player::ModelNumber;
   using Operation = fixproof::cases::Operation;
 
   static std::int32_t raw(N x) { return x.raw(); }
@@ -73,7 +73,9 @@ struct Arithmetic<fixproof::player::ModelNumber<build>> {
     if (!fixproof::player::call_model(N::variant(Operation::div), in, out)) return std::nullopt;
     return N::from_word(out[0]);
   }
-  static constexpr bool divides_by_whole_part = build.target == fixproof::cases::Target::i8088;
+  static bool divides_by_whole_part() {
+    return fixproof::player::InBuild::current().target == fixproof::cases::Target::i8088;
+  }
   static Turn<N> turn(std::int32_t tenths) {
     const std::array in{static_cast<std::uint32_t>(tenths) & 0xFFFFU};
     std::array<std::uint32_t, 2> out{};
@@ -99,7 +101,7 @@ struct Arithmetic<fixproof::player::ModelNumber<build>> {
     put(first, in.data());
     put(second, in.data() + 12);
     std::array<std::uint32_t, 12> out{};
-    fixproof::cases::Build chosen = build;
+    fixproof::cases::Build chosen = fixproof::player::InBuild::current();
     chosen.repaired = how == Concatenation::repaired;
     fixproof::player::call_model(fixproof::cases::variant_of(Operation::concat, chosen), in, out);
     Transform<N> result;

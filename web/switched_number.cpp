@@ -12,11 +12,7 @@ Arithmetic current = Arithmetic::i386;
 
 }  // namespace
 
-void switch_to(Arithmetic arithmetic) {
-  current = arithmetic;
-  xsharp::Arithmetic<SwitchedNumber>::divides_by_whole_part =
-      arithmetic >= Arithmetic::i8088 && arithmetic <= Arithmetic::i8088_repaired;
-}
+void switch_to(Arithmetic arithmetic) { current = arithmetic; }
 
 Arithmetic current_arithmetic() { return current; }
 
@@ -37,8 +33,11 @@ Transform<N> as(const Transform<Switched>& t) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): switch_to() sets it
-bool Arithmetic<Switched>::divides_by_whole_part = false;
+bool Arithmetic<Switched>::divides_by_whole_part() {
+  const auto arithmetic = fixproof::web::current_arithmetic();
+  return arithmetic >= fixproof::web::Arithmetic::i8088 &&
+         arithmetic <= fixproof::web::Arithmetic::i8088_repaired;
+}
 
 std::optional<Switched> Arithmetic<Switched>::divide(N n, N d) {
   return fixproof::web::with_current(

@@ -142,9 +142,7 @@ struct Arithmetic<fixproof::web::SwitchedNumber> {
     return N::from_raw(raw_constant(value, conversion));
   }
   static std::optional<N> divide(N n, N d);
-  /// switch_to() sets it.
-  // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): the module has one thread
-  static bool divides_by_whole_part;
+  static bool divides_by_whole_part();
   static Turn<N> turn(std::int32_t tenths);
   static N midpoint(N a, N b);
   static Vec3<N> apply(const Transform<N>& t, const Vec3<N>& v);

@@ -62,7 +62,7 @@ constexpr bool is_i8088_build(const fixproof::policy& p) {
 ///     static N from_raw(std::int32_t);
 ///     static N constant(double, Conversion);    computed in double
 ///     static std::optional<N> divide(N n, N d); nothing for a divide error
-///     static constexpr bool divides_by_whole_part; whether divide drops the fraction of d
+///     static bool divides_by_whole_part();      whether divide drops the fraction of d
 ///     static Turn<N> turn(std::int32_t tenths); from the table of cosines
 ///     static N midpoint(N, N);                  between them, or one of two neighbours
 ///     static Vec3<N> apply(const Transform<N>&, const Vec3<N>&);
@@ -86,7 +86,9 @@ struct Arithmetic<fixproof::number<std::int32_t, 16, P>> {
     return N::from_raw(raw_constant(value, conversion));
   }
   static constexpr std::optional<N> divide(N n, N d) { return fixproof::try_divide(n, d); }
-  static constexpr bool divides_by_whole_part = P.divisor == fixproof::divisor_width::whole_part;
+  static constexpr bool divides_by_whole_part() {
+    return P.divisor == fixproof::divisor_width::whole_part;
+  }
   static constexpr Turn<N> turn(std::int32_t tenths) {
     const auto [cos, sin] = fixproof::sin_cos_of_tenths<N>(tenths);
     return {cos, sin};
@@ -116,7 +118,7 @@ struct Arithmetic<N> {
   static N from_raw(std::int32_t raw) { return static_cast<N>(raw / 65536.0); }
   static N constant(double value, Conversion /*conversion*/) { return static_cast<N>(value); }
   static std::optional<N> divide(N n, N d) { return d == 0 ? std::nullopt : std::optional(n / d); }
-  static constexpr bool divides_by_whole_part = false;
+  static constexpr bool divides_by_whole_part() { return false; }
   static Turn<N> turn(std::int32_t tenths) {
     return {static_cast<N>(std::cos(radians(tenths))), static_cast<N>(std::sin(radians(tenths)))};
   }

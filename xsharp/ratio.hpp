@@ -36,7 +36,7 @@ N ratio(N n, N d) {
   double_both(n, d);
   // Uses negatives, which have the greater range.
   const auto minus_size = [&zero](N x) { return zero < x ? -x : x; };
-  if (Arithmetic<N>::divides_by_whole_part && !(minus_size(d) < minus_size(n))) {
+  if (Arithmetic<N>::divides_by_whole_part() && !(minus_size(d) < minus_size(n))) {
     N divisor = d;
     int doublings = 0;
     for (; doublings < 29 && can_be_doubled(divisor); ++doublings) divisor = divisor + divisor;

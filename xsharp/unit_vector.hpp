@@ -27,7 +27,7 @@ Vec3<N> unit_vector(Vec3<N> v) {
   const N length = Arithmetic<N>::length(v);
   const auto part = [&](N x) { return Arithmetic<N>::divide(x, length).value_or(zero); };
   const Vec3<N> quotients{part(v.x), part(v.y), part(v.z)};
-  return Arithmetic<N>::divides_by_whole_part ? toward_unit(quotients) : quotients;
+  return Arithmetic<N>::divides_by_whole_part() ? toward_unit(quotients) : quotients;
 }
 
 }  // namespace xsharp

@@ -44,7 +44,8 @@ class FromAngles {
 
   /// Operands differ between builds by a few units only, so one build represents all.
   static void make_matrix(const Turned& object) {
-    using N = player::ModelNumber<cases::Build{}>;
+    using N = player::ModelNumber;
+    const player::InBuild build(cases::Build{});
     auto matrix = xsharp::identity<N>();
     for (const xsharp::Axis axis : {xsharp::Axis::x, xsharp::Axis::y, xsharp::Axis::z}) {
       const std::int32_t step = object.tenths.at(static_cast<std::size_t>(axis));

@@ -121,7 +121,7 @@ struct Arithmetic<fixproof::trade::FractionNumber> {
     return N::result(static_cast<std::int64_t>(whole));
   }
   static std::optional<N> divide(N n, N d) { return N::divide(n, d); }
-  static constexpr bool divides_by_whole_part = false;
+  static constexpr bool divides_by_whole_part() { return false; }
   static Turn<N> turn(std::int32_t tenths) {
     const double angle = radians(tenths);
     return {constant(std::cos(angle), Conversion::nearest),

@@ -81,7 +81,7 @@ struct Arithmetic<fixproof::trade::Partly<Rule>> {
   }
   // Quotients and lengths are not rounded: an appended rotation needs none.
   static std::optional<N> divide(N n, N d) { return N{n.value / d.value}; }
-  static constexpr bool divides_by_whole_part = false;
+  static constexpr bool divides_by_whole_part() { return false; }
   static N length(const Vec3<N>& v) { return {std::hypot(v.x.value, v.y.value, v.z.value)}; }
 };
 

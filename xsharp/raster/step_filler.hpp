@@ -18,7 +18,7 @@
 namespace xsharp {
 
 template <Scalar N>
-class StepFiller final : public SurfaceFiller {
+class StepFiller : public SurfaceFiller {
  public:
   StepFiller(const Scene& scene, std::unique_ptr<const SpanLoops> loops)
       : SurfaceFiller(scene),
@@ -33,7 +33,7 @@ class StepFiller final : public SurfaceFiller {
         {number(picture.light[0]), number(picture.light[1]), number(picture.light[2])});
   }
 
- private:
+ protected:
   std::span<const PixelRow> find_rows(const Picture& picture, const Polygon& polygon,
                                       const Surface& surface, std::int32_t width,
                                       std::int32_t height) override {
@@ -69,6 +69,7 @@ class StepFiller final : public SurfaceFiller {
     for (std::size_t x = 0; x < out.size(); ++x) set[x] = before_[x] == buffer[x] ? 0 : 1;
   }
 
+ private:
   std::unique_ptr<const SpanLoops> loops_;
   RowPainter<N> painter_;
   DepthBuffer depths_;

@@ -23,7 +23,7 @@ ObjectDescription spinning(double half_edge, const Triple& position) {
 
 template <class N>
 struct AnimationOf : testing::Test {};
-TYPED_TEST_SUITE(AnimationOf, pipeline::some_types, );
+TYPED_TEST_SUITE(AnimationOf, pipeline::scene_types, );
 
 /// Expects the same polygons in the same order with the same points.
 void expect_same(const Picture& a, const Picture& b) {

@@ -167,7 +167,7 @@ TEST(ArithmeticInFloat, ComputesInFloat) {
   EXPECT_EQ(A::divide(1, 3), 0x1.555556p-2F);
   EXPECT_FALSE(A::divide(1, 0));
   EXPECT_FALSE(A::divide(0, -0.0F));
-  EXPECT_FALSE(A::divides_by_whole_part);
+  EXPECT_FALSE(A::divides_by_whole_part());
   EXPECT_EQ(A::midpoint(1, 2), 1.5F);
   EXPECT_EQ(A::midpoint(std::numeric_limits<float>::max(), std::numeric_limits<float>::max()),
             std::numeric_limits<float>::max());

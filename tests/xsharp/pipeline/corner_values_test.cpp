@@ -25,7 +25,7 @@ Surface surface_of(SurfaceKind kind, std::int32_t ramp = 0) {
 
 template <class N>
 class CornerValues : public testing::Test {};
-TYPED_TEST_SUITE(CornerValues, all_types);
+TYPED_TEST_SUITE(CornerValues, scene_types);
 
 TYPED_TEST(CornerValues, OfDepthAndDistance) {
   using N = TypeParam;

@@ -64,7 +64,7 @@ TEST(FacesViewer, ClockwiseOnTheScreenIsTheFront) {
 
 template <class N>
 struct Faces : testing::Test {};
-TYPED_TEST_SUITE(Faces, pipeline::all_types, );
+TYPED_TEST_SUITE(Faces, pipeline::scene_types, );
 
 /// The body after one frame with rotation `tenths`, and its Picture.
 template <class N>

@@ -33,7 +33,7 @@ double cosine_of(const Triple& normal, const Triple& to_light, const Triple& to_
 
 template <class N>
 struct HighlightOf : testing::Test {};
-TYPED_TEST_SUITE(HighlightOf, pipeline::all_types, );
+TYPED_TEST_SUITE(HighlightOf, pipeline::scene_types, );
 
 /// With products within p, a cosine is within 3 p, and 3 more ulps for the components of the
 /// halfway vector. A power changes by at most its exponent times the cosine's error. Two more

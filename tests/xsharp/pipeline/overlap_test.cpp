@@ -90,7 +90,7 @@ constexpr Box wall_behind{{14, -2, -70}, {20, 2, -8}};
 
 template <class N>
 struct Overlap : testing::Test {};
-TYPED_TEST_SUITE(Overlap, pipeline::some_types, );
+TYPED_TEST_SUITE(Overlap, pipeline::scene_types, );
 
 TYPED_TEST(Overlap, OneOfTheTwoOrdersIsRight) {
   for (const Box& other : {small_before, small_behind, wall_behind}) {

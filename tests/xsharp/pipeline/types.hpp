@@ -39,9 +39,16 @@ static_assert(multiply_alike(fixproof::policies::i8088_div_rounded,
 /// For code that only compares, since comparison of 16.16 numbers ignores the policy.
 using comparing_types = testing::Types<double, fixproof::q16_16>;
 
-/// Types with distinct division, for slow tests.
-using some_types = testing::Types<double, fixproof::q16_16, fixproof::q16_16_trapping,
-                                  fixproof::q16_16_i386, fixproof::q16_16_i8088_unrounded>;
+/// For tests of whole scenes, which instantiate the pipeline once more for each type. It sees a
+/// number only through xsharp::Arithmetic, which the tests of ArithmeticOf cover for every preset.
+#if defined(FIXPROOF_NIGHTLY)
+using scene_types = all_types;
+#elif defined(FIXPROOF_FEW_TYPES)
+using scene_types = testing::Types<double, fixproof::q16_16_i8088_unrounded>;
+#else
+using scene_types = testing::Types<double, fixproof::q16_16, fixproof::q16_16_trapping,
+                                   fixproof::q16_16_i386, fixproof::q16_16_i8088_unrounded>;
+#endif
 
 /// One ulp of 16.16.
 inline constexpr double ulp = 1.0 / 65536;

@@ -26,7 +26,7 @@ double component_error() {
                                     N::rules.divide == fixproof::rounding::half_away
                                 ? 0.501 * ulp
                                 : 1.001 * ulp;
-    if (!Arithmetic<N>::divides_by_whole_part) return quotient;
+    if (!Arithmetic<N>::divides_by_whole_part()) return quotient;
     // The square's three products and the factor's one reach a component; so does its own. Each
     // component's quotient also reaches the square, twice times the component, at most sqrt(3).
     return quotient + std::sqrt(3.0) * quotient + 3.5 * product_error<N>() + ulp / 8;
