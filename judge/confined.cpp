@@ -4,7 +4,6 @@
 #include <poll.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): kill() is POSIX's
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +16,7 @@
 #include <utility>
 
 #include "judge/message.hpp"
+#include "judge/resource_limit.hpp"
 #include "judge/system_calls.hpp"
 #include "support/die_with_parent.hpp"
 #include "support/interrupt.hpp"
@@ -83,11 +83,6 @@ rlim_t address_space() {
   rlim_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
   return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-}
-
-void limit(int resource, rlim_t most) {
-  const rlimit both{most, most};
-  setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
 /// Closes everything except the two pipes.

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkstemp() is POSIX's
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <unistd.h>
 #ifdef __linux__
 #include <linux/close_range.h>
@@ -20,6 +19,7 @@
 #include <memory>
 #include <system_error>
 
+#include "judge/resource_limit.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::judge {
@@ -33,12 +33,6 @@ constexpr rlim_t most_processor_time = 5;
 constexpr rlim_t most_memory = rlim_t{512} << 20U;
 /// Of each file that the program writes, also of its messages. The code has at most 1 MiB.
 constexpr rlim_t most_output = rlim_t{4} << 20U;
-
-template <class Resource>
-void limit(Resource resource, rlim_t most) {
-  const rlimit both{most, most};
-  setrlimit(resource, &both);
-}
 
 #ifdef __linux__
 
