@@ -4,97 +4,174 @@
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/property.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/each_type.hpp"
 #include "tests/support/test.hpp"
 
+namespace arithmetic {
 namespace {
 
+using exact::integer;
+
+/// The operators of two numbers a and b.
+enum class Operator { plus, minus, negate, times, divide, compare };
+
+/// The results of the comparisons that the others follow from, one bit each.
+template <class T>
+int compared(const T& a, const T& b) {
+  return (a < b) | (a == b) << 1 | (a >= b) << 2;
+}
+
 template <class Number>
-class Arithmetic : public testing::Test {};
-TYPED_TEST_SUITE(Arithmetic, fixproof::all_types);
+Number number_of(std::int64_t raw) {
+  return property::number_of<Number>(raw);
+}
+
+/// The result on stored integers. One function for all operators compiles faster than one for each.
+template <class Number>
+std::int64_t computed(Operator operation, std::int64_t first, std::int64_t second) {
+  const auto a = number_of<Number>(first);
+  const auto b = number_of<Number>(second);
+  switch (operation) {
+    case Operator::plus:
+      return (a + b).raw();
+    case Operator::minus:
+      return (a - b).raw();
+    case Operator::negate:
+      return (-a).raw();
+    case Operator::times:
+      return (a * b).raw();
+    case Operator::divide:
+      return (a / b).raw();
+    case Operator::compare:
+      return compared(a, b);
+  }
+  return 0;
+}
+
+template <class Number>
+std::optional<std::int64_t> quotient_tried(std::int64_t a, std::int64_t b) {
+  const auto quotient = fixproof::try_divide(number_of<Number>(a), number_of<Number>(b));
+  return quotient ? std::optional<std::int64_t>(quotient->raw()) : std::nullopt;
+}
+
+/// A number type, and what its operators compute.
+struct Computing {
+  exact::Type number;
+  std::int64_t (*compute)(Operator operation, std::int64_t a, std::int64_t b);
+  std::optional<std::int64_t> (*try_divide)(std::int64_t a, std::int64_t b);
+
+  template <class Number>
+  static Computing of() {
+    return {exact::Type::of<Number>(), computed<Number>, quotient_tried<Number>};
+  }
+};
 
 /// Returns the name of the first operation on a and b with a wrong result, or null.
-template <class Number>
-[[gnu::noinline]] const char* first_wrong(Number a, Number b) {
-  using exact::integer;
-  const auto differs = [](exact::outcome<Number> expected, const auto& call) {
-    return !(exact::run<Number>(call) == expected);
+const char* first_wrong(const Computing& by, std::int64_t a, std::int64_t b) {
+  const exact::Type& type = by.number;
+  const auto differs = [&](Operator operation, const exact::Outcome& expected) {
+    return !(exact::outcome_of([&] { return by.compute(operation, a, b); }) == expected);
   };
-  const integer x = a.raw();
-  const integer y = b.raw();
-  const integer unit = exact::one<Number>;
-  if (differs(exact::in_range<Number>(x + y), [&] { return a + b; })) return "a + b";
-  if (differs(exact::in_range<Number>(x - y), [&] { return a - b; })) return "a - b";
-  if (differs(exact::in_range<Number>(-x), [&] { return -a; })) return "-a";
-  if (differs(exact::result<Number>({x * y, unit}), [&] { return a * b; })) return "a * b";
-  const auto quotient = exact::quotient(a, b);
-  if (differs(quotient, [&] { return a / b; })) return "a / b";
-  const auto tried = fixproof::try_divide(a, b);
-  if (tried.has_value() != !(quotient.throws || exact::no_quotient(a, b))) return "try_divide";
-  if (tried && tried->raw() != quotient.raw) return "*try_divide";
-  if ((a < b) != (x < y) || (a == b) != (x == y) || (a >= b) != (x >= y)) return "a <=> b";
+  const integer x = a;
+  const integer y = b;
+  if (differs(Operator::plus, exact::in_range(type, x + y))) return "a + b";
+  if (differs(Operator::minus, exact::in_range(type, x - y))) return "a - b";
+  if (differs(Operator::negate, exact::in_range(type, -x))) return "-a";
+  if (differs(Operator::times, exact::result(type, {x * y, type.one()}))) return "a * b";
+  const auto quotient = exact::quotient(type, x, y);
+  if (differs(Operator::divide, quotient)) return "a / b";
+  const auto tried = by.try_divide(a, b);
+  if (tried.has_value() == (quotient.throws || exact::no_quotient(type, x, y))) return "try_divide";
+  if (tried && *tried != quotient.raw) return "*try_divide";
+  if (by.compute(Operator::compare, a, b) != compared(x, y)) return "a <=> b";
   return nullptr;
 }
 
-TYPED_TEST(Arithmetic, EveryPairOfEdges) {
-  const auto edges = exact::edges<TypeParam>();
-  for (const auto a : edges) {
-    for (const auto b : edges) {
-      const char* operation = first_wrong(a, b);
-      ASSERT_EQ(operation, nullptr) << operation << " at a = " << a << ", b = " << b;
+bool is_right(const Computing& by, std::int64_t a, std::int64_t b) {
+  const char* operation = first_wrong(by, a, b);
+  EXPECT_EQ(operation, nullptr) << operation << " at a = " << exact::text(by.number, a)
+                                << ", b = " << exact::text(by.number, b);
+  return operation == nullptr;
+}
+
+const auto all_types = each_type::all<Computing>(fixproof::all_types());
+
+TEST_OF_EACH(Arithmetic, EveryPairOfEdges, Computing, all_types) {
+  const auto edges = exact::edges(type.number);
+  for (const std::int64_t a : edges) {
+    for (const std::int64_t b : edges) {
+      if (!is_right(type, a, b)) return;
     }
   }
 }
 
-TYPED_TEST(Arithmetic, Properties) {
+TEST_OF_EACH(Arithmetic, Properties, Computing, all_types) {
   std::string operation;
-  EXPECT_TRUE(property::for_all<TypeParam>([&](TypeParam a, TypeParam b) {
-    const char* wrong = first_wrong(a, b);
+  EXPECT_TRUE(property::holds(type.number.fraction_bits, 2, [&](const property::Raws& operands) {
+    const char* wrong = first_wrong(type, operands[0], operands[1]);
     if (wrong != nullptr) operation = wrong;
     return wrong == nullptr;
   })) << operation;
 }
 
+/// The same by the operators that assign.
 template <class Number>
-class Assignment : public testing::Test {};
-TYPED_TEST_SUITE(Assignment, fixproof::some_types);
+std::int64_t assigned(Operator operation, std::int64_t first, std::int64_t second) {
+  auto x = number_of<Number>(first);
+  const auto y = number_of<Number>(second);
+  switch (operation) {
+    case Operator::plus:
+      return (x += y).raw();
+    case Operator::minus:
+      return (x -= y).raw();
+    case Operator::times:
+      return (x *= y).raw();
+    case Operator::divide:
+      return (x /= y).raw();
+    default:
+      throw std::invalid_argument("no such assignment");
+  }
+}
 
-TYPED_TEST(Assignment, IsTheOperator) {
-  EXPECT_TRUE(property::for_all<TypeParam>([](TypeParam a, TypeParam b) {
-    const auto same = [&](const auto& plain, const auto& assign) {
-      return exact::run<TypeParam>(plain) == exact::run<TypeParam>([&] {
-               TypeParam x = a;
-               return assign(x);
-             });
+struct Assigning {
+  int fraction_bits;
+  std::int64_t (*compute)(Operator operation, std::int64_t a, std::int64_t b);
+  std::int64_t (*assign)(Operator operation, std::int64_t a, std::int64_t b);
+
+  template <class Number>
+  static Assigning of() {
+    return {Number::fraction_bits, computed<Number>, assigned<Number>};
+  }
+};
+const auto some_types = each_type::all<Assigning>(fixproof::some_types());
+
+TEST_OF_EACH(Assignment, IsTheOperator, Assigning, some_types) {
+  EXPECT_TRUE(property::holds(type.fraction_bits, 2, [&](const property::Raws& operands) {
+    const std::int64_t a = operands[0];
+    const std::int64_t b = operands[1];
+    const auto is_same = [&](Operator operation) {
+      return exact::outcome_of([&] { return type.compute(operation, a, b); }) ==
+             exact::outcome_of([&] { return type.assign(operation, a, b); });
     };
-    return same([&] { return a + b; }, [&](TypeParam& x) { return x += b; }) &&
-           same([&] { return a - b; }, [&](TypeParam& x) { return x -= b; }) &&
-           same([&] { return a * b; }, [&](TypeParam& x) { return x *= b; }) &&
-           same([&] { return a / b; }, [&](TypeParam& x) { return x /= b; });
+    return is_same(Operator::plus) && is_same(Operator::minus) && is_same(Operator::times) &&
+           is_same(Operator::divide);
   }));
 }
 
-/// Tests all 8.8 numbers against operands that reach every rule.
-template <class Number>
-class Exhaustive : public testing::Test {};
+/// All 8.8 numbers against operands that reach every rule.
 using half_width = testing::Types<fixproof::q8_8, fixproof::q8_8_saturating, fixproof::q8_8_i386,
                                   fixproof::q8_8_i386_unrounded, fixproof::q8_8_i8088,
                                   fixproof::q8_8_i8088_unrounded>;
-TYPED_TEST_SUITE(Exhaustive, half_width);
+const auto half_width_types = each_type::all<Computing>(half_width());
 
-TYPED_TEST(Exhaustive, EveryOperandAgainstEdges) {
-  using raw = typename TypeParam::raw_type;
-  for (const int other : {0, 1, -1, 2, -3, 0x7f, 0x80, -0x80, 0xff, 0x100, -0x100, 0x101, 0x17f,
-                          -0x180, 0x1234, 0x7fff, -0x7fff, -0x8000}) {
-    const auto b = TypeParam::from_raw(static_cast<raw>(other));
-    for (int value = std::numeric_limits<raw>::min(); value <= std::numeric_limits<raw>::max();
-         ++value) {
-      const auto a = TypeParam::from_raw(static_cast<raw>(value));
-      const char* operation = first_wrong(a, b);
-      ASSERT_EQ(operation, nullptr) << operation << " at a = " << a << ", b = " << b;
-      operation = first_wrong(b, a);
-      ASSERT_EQ(operation, nullptr) << operation << " at a = " << b << ", b = " << a;
+TEST_OF_EACH(Exhaustive, EveryOperandAgainstEdges, Computing, half_width_types) {
+  for (const int b : {0, 1, -1, 2, -3, 0x7f, 0x80, -0x80, 0xff, 0x100, -0x100, 0x101, 0x17f, -0x180,
+                      0x1234, 0x7fff, -0x7fff, -0x8000}) {
+    for (int a = -0x8000; a <= 0x7fff; ++a) {
+      if (!is_right(type, a, b) || !is_right(type, b, a)) return;
     }
   }
 }
 
 }  // namespace
+}  // namespace arithmetic

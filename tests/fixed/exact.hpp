@@ -3,10 +3,14 @@
 /// fixed/ this header takes only the names of the rules and of the errors.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <iomanip>
 #include <limits>
 #include <ostream>
 #include <random>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "fixed/number.hpp"
@@ -18,75 +22,129 @@ namespace exact {
 /// x modulo 2^64. Boost's own conversion saturates on machines without 128-bit integers.
 inline std::int64_t low_word(integer x) { return static_cast<std::int64_t>(wrapped(x, 64)); }
 
-/// The outcome of an exact result under a policy: a stored integer or an exception.
+/// A signed number type at run time, so that what is expected of it is compiled once.
+struct Type {
+  int bits;
+  int fraction_bits;
+  fixproof::policy rules;
+
+  template <class Number>
+  static constexpr Type of() {
+    return {std::numeric_limits<typename Number::raw_type>::digits + 1, Number::fraction_bits,
+            Number::rules};
+  }
+  [[nodiscard]] integer one() const { return integer{1} << fraction_bits; }
+  [[nodiscard]] integer end() const { return integer{1} << (bits - 1); }
+  [[nodiscard]] bool fits(const integer& x) const { return x >= -end() && x < end(); }
+};
+
+/// A stored integer or an exception.
+struct Outcome {
+  bool throws = false;
+  std::int64_t raw = 0;
+
+  friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+
+/// The outcome of an exact result under a policy.
+inline Outcome in_range(const Type& type, const integer& value) {
+  // Most results fit, and the remainder of a wrapped one is slow.
+  if (type.fits(value)) return {false, static_cast<std::int64_t>(value)};
+  if (type.rules.range == fixproof::overflow::trap) return {true, 0};
+  return {false, static_cast<std::int64_t>(narrowed(value, type.bits, type.rules.range))};
+}
+
+/// x, in ulps, rounded by the policy's rule for products.
+inline Outcome result(const Type& type, const fraction& x) {
+  return in_range(type, round(x, type.rules.multiply));
+}
+
+/// What the policy divides by.
+inline integer divisor_of(const Type& type, const integer& d) {
+  return type.rules.divisor == fixproof::divisor_width::whole_part ? d / type.one() : d;
+}
+
+/// Whether n / d is an error, by the definition of each divide_fault.
+inline bool no_quotient(const Type& type, const integer& n, const integer& d) {
+  const integer divisor = divisor_of(type, d);
+  return divisor == 0 || (type.rules.fault == fixproof::divide_fault::unsigned_quotient &&
+                          (n < 0 ? -n : n) / type.one() >= (divisor < 0 ? -divisor : divisor));
+}
+
+/// n / d by the definition of the policy. A zero divisor that is no error gives the end of the
+/// range.
+inline Outcome quotient(const Type& type, const integer& n, const integer& d) {
+  const fixproof::policy& rules = type.rules;
+  const integer divisor = divisor_of(type, d);
+  if (divisor == 0 && rules.fault == fixproof::divide_fault::none &&
+      rules.range != fixproof::overflow::trap) {
+    const integer infinite = n > 0 ? type.end() - 1 : n < 0 ? -type.end() : integer{0};
+    return {false, static_cast<std::int64_t>(infinite)};
+  }
+  if (no_quotient(type, n, d)) return {true, 0};
+  const bool is_whole = rules.divisor == fixproof::divisor_width::whole_part;
+  const integer value = round(ratio(is_whole ? n : n * type.one(), divisor), rules.divide);
+  if (rules.fault == fixproof::divide_fault::signed_quotient && !type.fits(value)) return {true, 0};
+  return in_range(type, value);
+}
+
+/// The outcome of a call that returns a stored integer and may throw one of fixed's errors.
+template <class Call>
+Outcome outcome_of(const Call& call) {
+  try {
+    return {false, call()};
+  } catch (const fixproof::overflow_error&) {
+  } catch (const fixproof::divide_error&) {
+  } catch (const fixproof::domain_error&) {
+  }
+  return {true, 0};
+}
+
+/// A number for messages, in all its digits.
+inline std::string text(const Type& type, std::int64_t raw) {
+  std::ostringstream out;
+  out << std::setprecision(40) << std::ldexp(static_cast<double>(raw), -type.fraction_bits)
+      << " (raw " << raw << ')';
+  return out.str();
+}
+inline std::string text(const Type& type, const Outcome& x) {
+  return x.throws ? "throws" : text(type, x.raw);
+}
+
+/// \name The same for a number type at compile time
+/// \{
 template <class Number>
 struct outcome {
   bool throws = false;
   typename Number::raw_type raw = 0;
 
+  static outcome of(const Outcome& x) {
+    return {x.throws, static_cast<typename Number::raw_type>(x.raw)};
+  }
   friend bool operator==(const outcome&, const outcome&) = default;
   friend std::ostream& operator<<(std::ostream& out, const outcome& x) {
-    return x.throws ? out << "throws" : out << Number::from_raw(x.raw) << " (raw " << x.raw << ')';
+    return out << text(Type::of<Number>(), Outcome{x.throws, x.raw});
   }
 };
 
 template <class Number>
 outcome<Number> in_range(integer value) {
-  using raw = typename Number::raw_type;
-  constexpr int bits = std::numeric_limits<raw>::digits + 1;
-  if (Number::rules.range == fixproof::overflow::trap && wrapped(value, bits) != value) {
-    return {true, 0};
-  }
-  return {false, static_cast<raw>(narrowed(value, bits, Number::rules.range))};
+  return outcome<Number>::of(in_range(Type::of<Number>(), value));
 }
 
-/// x, in ulps, rounded by the policy's rule for products.
 template <class Number>
 outcome<Number> result(fraction x) {
-  return in_range<Number>(round(x, Number::rules.multiply));
+  return outcome<Number>::of(result(Type::of<Number>(), x));
 }
 
 template <class Number>
 inline constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
 
-/// Whether n / d is an error, by the definition of each divide_fault.
-template <class Number>
-bool no_quotient(Number n, Number d) {
-  const fixproof::policy rules = Number::rules;
-  integer divisor = d.raw();
-  if (rules.divisor == fixproof::divisor_width::whole_part) divisor = divisor / one<Number>;
-  return divisor == 0 || (rules.fault == fixproof::divide_fault::unsigned_quotient &&
-                          (n.raw() < 0 ? -integer{n.raw()} : integer{n.raw()}) / one<Number> >=
-                              (divisor < 0 ? -divisor : divisor));
-}
-
-/// n / d by the definition of the policy. A zero divisor that is no error gives the end of the
-/// range.
 template <class Number>
 outcome<Number> quotient(Number n, Number d) {
-  using raw = typename Number::raw_type;
-  const fixproof::policy rules = Number::rules;
-  integer numerator = integer{n.raw()} * one<Number>;
-  integer divisor = d.raw();
-  if (rules.divisor == fixproof::divisor_width::whole_part) {
-    numerator = n.raw();
-    divisor = divisor / one<Number>;
-  }
-  if (divisor == 0 && rules.fault == fixproof::divide_fault::none &&
-      rules.range != fixproof::overflow::trap) {
-    if (n.raw() == 0) return {false, 0};
-    return {false, n.raw() > 0 ? std::numeric_limits<raw>::max() : std::numeric_limits<raw>::min()};
-  }
-  if (no_quotient(n, d)) return {true, 0};
-  const integer value = round(ratio(numerator, divisor), rules.divide);
-  if (rules.fault == fixproof::divide_fault::signed_quotient &&
-      (value < std::numeric_limits<raw>::min() || value > std::numeric_limits<raw>::max())) {
-    return {true, 0};
-  }
-  return in_range<Number>(value);
+  return outcome<Number>::of(quotient(Type::of<Number>(), n.raw(), d.raw()));
 }
 
-/// The outcome of a call that may throw one of fixed's errors.
 template <class Number, class Call>
 outcome<Number> run(const Call& call) {
   try {
@@ -97,17 +155,16 @@ outcome<Number> run(const Call& call) {
   }
   return {true, 0};
 }
+/// \}
 
 /// Stored integers at the edges: 0, the range ends, the halves, and every power of two with its
 /// neighbours, each with both signs.
-template <class Number>
-std::vector<Number> edges() {
-  using raw = typename Number::raw_type;
-  std::vector<Number> values;
-  const auto add = [&values](std::int64_t value) {
-    values.push_back(Number::from_raw(static_cast<raw>(value)));
+inline std::vector<std::int64_t> edges(const Type& type) {
+  std::vector<std::int64_t> values;
+  const auto add = [&](std::int64_t value) {
+    values.push_back(static_cast<std::int64_t>(wrapped(value, type.bits)));
   };
-  for (int bit = 0; bit <= std::numeric_limits<raw>::digits; ++bit) {
+  for (int bit = 0; bit < type.bits; ++bit) {
     for (const int step : {-1, 0, 1}) {
       add((std::int64_t{1} << bit) + step);
       add(-(std::int64_t{1} << bit) + step);
@@ -118,6 +175,15 @@ std::vector<Number> edges() {
     add(-value);
   }
   return values;
+}
+
+template <class Number>
+std::vector<Number> edges() {
+  std::vector<Number> numbers;
+  for (const std::int64_t raw : edges(Type::of<Number>())) {
+    numbers.push_back(Number::from_raw(static_cast<typename Number::raw_type>(raw)));
+  }
+  return numbers;
 }
 
 template <class Number>

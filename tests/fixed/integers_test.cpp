@@ -1,5 +1,7 @@
 /// Tests every operator between a number and an integer against exact fractions: edges of the type
 /// with edges of the integer, and shifts by the integer, for integers of 8 to 64 bits.
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -7,40 +9,134 @@
 #include "fixed/fixed.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/types.hpp"
+#include "tests/support/each_type.hpp"
 #include "tests/support/test.hpp"
 
 namespace {
 
 using exact::integer;
+using exact::Outcome;
+
+/// The operators between a number a and an integer b.
+enum class Operator { plus, plus_a, minus, minus_a, times, times_a, divide, left, right, compare };
+
+/// The results of all comparisons, one bit each.
+template <class A, class B>
+int compared(const A& a, const B& b) {
+  return (a == b) | (b == a) << 1 | (a != b) << 2 | (a < b) << 3 | (a <= b) << 4 | (a > b) << 5 |
+         (b < a) << 6 | (b >= a) << 7;
+}
+constexpr std::array comparisons{"a == b", "b == a", "a != b", "a < b",
+                                 "a <= b", "a > b",  "b < a",  "b >= a"};
+
+/// The result on stored integers. One function for all operators compiles faster than one for each.
+template <class Number, class Int>
+std::int64_t computed(Operator operation, std::int64_t first, std::int64_t second) {
+  const auto a = Number::from_raw(static_cast<typename Number::raw_type>(first));
+  const auto b = static_cast<Int>(second);
+  switch (operation) {
+    case Operator::plus:
+      return (a + b).raw();
+    case Operator::plus_a:
+      return (b + a).raw();
+    case Operator::minus:
+      return (a - b).raw();
+    case Operator::minus_a:
+      return (b - a).raw();
+    case Operator::times:
+      return (a * b).raw();
+    case Operator::times_a:
+      return (b * a).raw();
+    case Operator::divide:
+      return (a / b).raw();
+    case Operator::left:
+      return (a << b).raw();
+    case Operator::right:
+      return (a >> b).raw();
+    case Operator::compare:
+      return compared(a, b);
+  }
+  return 0;
+}
+
+/// An integer type, and what its operators with a number type compute.
+struct IntegerType {
+  int digits;
+  bool is_signed;
+  std::int64_t (*compute)(Operator operation, std::int64_t a, std::int64_t b);
+};
+
+/// What counting computes: from 2.5 by assignments and by one, and up from the highest number.
+struct Counts {
+  std::array<std::int64_t, 5> values;
+  Outcome beyond_highest;
+  std::int64_t then;
+};
 
 template <class Number>
-class Integers : public testing::Test {};
-TYPED_TEST_SUITE(Integers, fixproof::all_types);
-
-template <class Int>
-std::vector<Int> edges() {
-  using limits = std::numeric_limits<Int>;
-  std::vector<Int> values{0, 1, 2, 3, 7, 100};
-  for (int bit = 3; bit < limits::digits; ++bit) {
-    for (const int step : {-1, 0, 1}) {
-      values.push_back(static_cast<Int>((Int{1} << bit) + static_cast<Int>(step)));
-    }
+Counts counted() {
+  Counts counts;
+  Number x(2.5);
+  x *= 4;
+  x += 1;
+  x -= 3;
+  x /= 2;
+  const Number assigned = x;
+  const Number before = x++;
+  const Number up = ++x;
+  const Number before_down = x--;
+  counts.values = {assigned.raw(), before.raw(), up.raw(), before_down.raw(), (--x).raw()};
+  x = std::numeric_limits<Number>::max();
+  try {
+    counts.beyond_highest.raw = (++x).raw();
+  } catch (const fixproof::overflow_error&) {
+    counts.beyond_highest.throws = true;
   }
-  values.insert(values.end(), {limits::max(), limits::min(), static_cast<Int>(limits::max() - 1)});
-  if constexpr (limits::is_signed) {
-    const std::vector<Int> positive = values;
-    for (const Int value : positive) values.push_back(static_cast<Int>(-integer{value} - 1));
+  counts.then = x.raw();
+  return counts;
+}
+
+/// A number type, with integers of every width.
+struct Mixed {
+  exact::Type number;
+  std::array<IntegerType, 8> integers;
+  Counts (*count)();
+
+  template <class Number>
+  static Mixed of() {
+    return {
+        exact::Type::of<Number>(),
+        {with<Number, std::int8_t>(), with<Number, std::uint8_t>(), with<Number, std::int16_t>(),
+         with<Number, std::uint16_t>(), with<Number, std::int32_t>(), with<Number, std::uint32_t>(),
+         with<Number, std::int64_t>(), with<Number, std::uint64_t>()},
+        counted<Number>};
+  }
+  template <class Number, class Int>
+  static constexpr IntegerType with() {
+    using limits = std::numeric_limits<Int>;
+    return {limits::digits, limits::is_signed, computed<Number, Int>};
+  }
+};
+const auto mixed_types = each_type::all<Mixed>(fixproof::all_types());
+
+std::vector<integer> edges(const IntegerType& type) {
+  const integer max = (integer{1} << type.digits) - 1;
+  std::vector<integer> values{0, 1, 2, 3, 7, 100};
+  for (int bit = 3; bit < type.digits; ++bit) {
+    for (const int step : {-1, 0, 1}) values.push_back((integer{1} << bit) + step);
+  }
+  values.insert(values.end(), {max, type.is_signed ? -max - 1 : integer{0}, max - 1});
+  if (type.is_signed) {
+    const std::vector<integer> positive = values;
+    for (const integer& value : positive) values.push_back(-value - 1);
   }
   return values;
 }
 
 /// The quotient by the policy. Only 0 and -1 can leave the range.
-template <class Number, class Int>
-exact::outcome<Number> quotient(Number n, Int d) {
-  if (d == 0) return exact::quotient(n, Number());
-  if (integer{d} == -1) return exact::quotient(n, Number(-1));
-  return exact::in_range<Number>(
-      exact::round(exact::ratio(integer{n.raw()}, integer{d}), Number::rules.divide));
+Outcome quotient_by_integer(const exact::Type& type, const integer& n, const integer& d) {
+  if (d == 0 || d == -1) return exact::quotient(type, n, d * type.one());
+  return exact::in_range(type, exact::round(exact::ratio(n, d), type.rules.divide));
 }
 
 /// x * 2^places toward -infinity.
@@ -52,69 +148,54 @@ integer shifted(const integer& x, const integer& places) {
 }
 
 /// Returns the first operation with a wrong result, or null.
-template <class Number, class Int>
-[[gnu::noinline]] const char* first_wrong(Number a, Int b) {
-  const auto differs = [](exact::outcome<Number> expected, const auto& call) {
-    return !(exact::run<Number>(call) == expected);
+const char* first_wrong(const exact::Type& type, const IntegerType& with, std::int64_t a,
+                        const integer& b) {
+  const std::int64_t word = exact::low_word(b);
+  const auto differs = [&](Operator operation, const Outcome& expected) {
+    return !(exact::outcome_of([&] { return with.compute(operation, a, word); }) == expected);
   };
-  const integer x = a.raw();
-  const integer n = b;
-  const integer y = n * exact::one<Number>;
-  if (differs(exact::in_range<Number>(x + y), [&] { return a + b; })) return "a + b";
-  if (differs(exact::in_range<Number>(x + y), [&] { return b + a; })) return "b + a";
-  if (differs(exact::in_range<Number>(x - y), [&] { return a - b; })) return "a - b";
-  if (differs(exact::in_range<Number>(y - x), [&] { return b - a; })) return "b - a";
-  if (differs(exact::in_range<Number>(x * n), [&] { return a * b; })) return "a * b";
-  if (differs(exact::in_range<Number>(x * n), [&] { return b * a; })) return "b * a";
-  if (differs(quotient(a, b), [&] { return a / b; })) return "a / b";
-  if (differs(exact::in_range<Number>(shifted(x, n)), [&] { return a << b; })) return "a << b";
-  if (differs(exact::in_range<Number>(shifted(x, -n)), [&] { return a >> b; })) return "a >> b";
-  if ((a == b) != (x == y) || (b == a) != (x == y) || (a != b) != (x != y)) return "a == b";
-  if ((a < b) != (x < y) || (a <= b) != (x <= y) || (a > b) != (x > y)) return "a <=> b";
-  if ((b < a) != (y < x) || (b >= a) != (y >= x)) return "b <=> a";
-  return nullptr;
+  const integer x = a;
+  const integer y = b * type.one();
+  const Outcome sum = exact::in_range(type, x + y);
+  if (differs(Operator::plus, sum)) return "a + b";
+  if (differs(Operator::plus_a, sum)) return "b + a";
+  if (differs(Operator::minus, exact::in_range(type, x - y))) return "a - b";
+  if (differs(Operator::minus_a, exact::in_range(type, y - x))) return "b - a";
+  const Outcome product = exact::in_range(type, x * b);
+  if (differs(Operator::times, product)) return "a * b";
+  if (differs(Operator::times_a, product)) return "b * a";
+  if (differs(Operator::divide, quotient_by_integer(type, x, b))) return "a / b";
+  if (differs(Operator::left, exact::in_range(type, shifted(x, b)))) return "a << b";
+  if (differs(Operator::right, exact::in_range(type, shifted(x, -b)))) return "a >> b";
+  const auto wrong =
+      static_cast<unsigned>(with.compute(Operator::compare, a, word) ^ compared(x, y));
+  return wrong == 0 ? nullptr : comparisons[static_cast<std::size_t>(std::countr_zero(wrong))];
 }
 
-template <class Number, class Int>
-void check_all() {
-  const std::vector<Int> integers = edges<Int>();
-  for (const Number a : exact::edges<Number>()) {
-    for (const Int b : integers) {
-      const char* operation = first_wrong(a, b);
-      ASSERT_EQ(operation, nullptr) << operation << " at a = " << a << ", b = " << +b;
+TEST_OF_EACH(Integers, OfEveryWidthCountExactly, Mixed, mixed_types) {
+  const auto numbers = exact::edges(type.number);
+  for (const IntegerType& with : type.integers) {
+    const auto integers = edges(with);
+    for (const std::int64_t a : numbers) {
+      for (const integer& b : integers) {
+        const char* operation = first_wrong(type.number, with, a, b);
+        ASSERT_EQ(operation, nullptr)
+            << operation << " at a = " << exact::text(type.number, a)
+            << ", b = " << (b < 0 ? "-" : "") << static_cast<std::uint64_t>(b < 0 ? -b : b)
+            << ", which has " << with.digits << " bits" << (with.is_signed ? " and a sign" : "");
+      }
     }
   }
 }
 
-TYPED_TEST(Integers, OfEveryWidthCountExactly) {
-  check_all<TypeParam, std::int8_t>();
-  check_all<TypeParam, std::uint8_t>();
-  check_all<TypeParam, std::int16_t>();
-  check_all<TypeParam, std::uint16_t>();
-  check_all<TypeParam, std::int32_t>();
-  check_all<TypeParam, std::uint32_t>();
-  check_all<TypeParam, std::int64_t>();
-  check_all<TypeParam, std::uint64_t>();
-}
-
-TYPED_TEST(Integers, AssignAndCount) {
-  TypeParam x(2.5);
-  x *= 4;
-  x += 1;
-  x -= 3;
-  x /= 2;
-  EXPECT_EQ(x, 4);
-  EXPECT_EQ(x++, 4);
-  EXPECT_EQ(++x, 6);
-  EXPECT_EQ(x--, 6);
-  EXPECT_EQ(--x, 4);
-  x = std::numeric_limits<TypeParam>::max();
-  const TypeParam before = x;
-  const auto expected = exact::in_range<TypeParam>(integer{x.raw()} + exact::one<TypeParam>);
-  EXPECT_EQ(exact::run<TypeParam>([&] { return ++x; }), expected);
-  if (expected.throws) {
-    EXPECT_EQ(x, before);
-  }
+TEST_OF_EACH(Integers, AssignAndCount, Mixed, mixed_types) {
+  const Counts counts = type.count();
+  const std::int64_t one = std::int64_t{1} << type.number.fraction_bits;
+  EXPECT_EQ(counts.values, (std::array{4 * one, 4 * one, 6 * one, 6 * one, 4 * one}));
+  const std::int64_t highest = exact::low_word(type.number.end() - 1);
+  const Outcome expected = exact::in_range(type.number, highest + type.number.one());
+  EXPECT_EQ(counts.beyond_highest, expected);
+  EXPECT_EQ(counts.then, expected.throws ? highest : expected.raw);
 }
 
 template <class T>

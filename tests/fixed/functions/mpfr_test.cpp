@@ -4,65 +4,57 @@
 #include "oracle/real_function.hpp"
 #include "tests/fixed/functions/functions.hpp"
 #include "tests/fixed/functions/hard_words.hpp"
+#include "tests/support/each_type.hpp"
 
 namespace {
 
-using namespace fixproof;
-using functions::Named;
+using functions::Format;
 /// A number of 300 digits.
 using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<300>,
                                            boost::multiprecision::et_off>;
 
 /// The result of MPFR, rounded half up and saturated.
-template <class N>
-std::int64_t by_mpfr(oracle::Function function, N x, N y) {
-  constexpr std::int64_t lowest = std::numeric_limits<typename N::raw_type>::min();
-  constexpr std::int64_t highest = std::numeric_limits<typename N::raw_type>::max();
-  const auto real = [](N number) {
-    return ldexp(Real(std::int64_t{number.raw()}), -N::fraction_bits);
-  };
-  const Real value = ldexp(oracle::real_function(function, real(x), real(y)), N::fraction_bits);
+std::int64_t by_mpfr(const Format& format, oracle::Function function, std::int64_t x,
+                     std::int64_t y) {
+  const auto real = [&](std::int64_t raw) { return ldexp(Real(raw), -format.fraction_bits); };
+  const Real value = ldexp(oracle::real_function(function, real(x), real(y)), format.fraction_bits);
   // MPFR is off by less than 2^-900, so this makes every tie go up.
   const Real biased = floor(value + 0.5 + ldexp(Real(1), -900));
-  if (biased >= highest) return highest;
-  if (biased <= lowest) return lowest;
+  if (biased >= format.highest()) return format.highest();
+  if (biased <= format.lowest()) return format.lowest();
   return biased.convert_to<std::int64_t>();
 }
 
-template <class N, std::size_t Size>
-void expect_equal(const std::array<Named<N>, Size>& all, int count) {
+void expect_equal(const Format& format, std::span<const functions::Name> names, int count) {
   std::mt19937_64 random(1994);
-  const auto word = [&random] {
+  const auto word = [&] {
     const auto bits = static_cast<std::int64_t>(random());
-    return N::from_raw(static_cast<typename N::raw_type>(bits >> (32 + random() % 32)));
+    return format.raw_of(bits >> (32 + random() % 32));
   };
   for (int i = 0; i < count; ++i) {
-    const N x = word();
-    const N y = word();
-    for (const Named<N>& f : all) {
-      if (!oracle::in_domain<std::int64_t>(f.function, x.raw(), y.raw(), N::fraction_bits))
-        continue;
-      ASSERT_EQ(f.compute(x, y).raw(), by_mpfr(f.function, x, y))
-          << f.name << " of raw " << +x.raw() << ' ' << +y.raw();
+    const std::int64_t x = word();
+    const std::int64_t y = word();
+    for (const auto& [function, name] : names) {
+      if (!oracle::in_domain<std::int64_t>(function, x, y, format.fraction_bits)) continue;
+      ASSERT_EQ(format.compute(function, x, y), by_mpfr(format, function, x, y))
+          << name << " of raw " << x << ' ' << y;
     }
   }
 }
 
-template <class N>
-class Mpfr : public testing::Test {};
-TYPED_TEST_SUITE(Mpfr, functions::Formats);
+const auto every_format = each_type::all<Format>(functions::Formats());
 
-TYPED_TEST(Mpfr, GivesTheSameWords) {
-  expect_equal(functions::unary<TypeParam>, 150);
-  expect_equal(functions::binary<TypeParam>, 500);
+TEST_OF_EACH(Mpfr, GivesTheSameWords, Format, every_format) {
+  expect_equal(type, functions::names_of_one, 150);
+  expect_equal(type, functions::names_of_two, 500);
 }
 
 TEST(MpfrHardWords, HaveTheSameResults) {
   functions::for_each_hard_word(
       FUNCTIONS_FOLDER "/hard_words.txt", []<class N>(const functions::HardWord& word) {
-        const Named<N>& f = functions::named(functions::unary<N>, word.function);
-        const N x = N::from_raw(static_cast<typename N::raw_type>(word.operand));
-        EXPECT_EQ(by_mpfr(f.function, x, N()), word.result) << f.name << " of raw " << word.operand;
+        const auto& [function, name] = functions::named(functions::names_of_one, word.function);
+        EXPECT_EQ(by_mpfr(Format::of<N>(), function, word.operand, 0), word.result)
+            << name << " of raw " << word.operand;
       });
 }
 

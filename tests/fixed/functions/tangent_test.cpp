@@ -2,14 +2,17 @@
 /// every rule for results out of range in some of them.
 #include <utility>
 
-#include "tests/fixed/functions/functions.hpp"
+#include "fixed/formats.hpp"
+#include "fixed/trigonometry.hpp"
+#include "oracle/function.hpp"
+#include "tests/support/each_type.hpp"
 #include "tests/support/ending.hpp"
 
 namespace {
 
 using namespace fixproof;
-using functions::Function;
-using functions::Integer;
+using oracle::Function;
+using oracle::Integer;
 
 template <class Raw, int F>
 using wrapping = number<Raw, F, policies::wrapping>;
@@ -57,26 +60,47 @@ constexpr bool stands_for_others() {
   return F == 0 || F == bits / 2 || F >= bits - 2;
 }
 
+template <class N>
+std::int64_t tangent_of(Function tangent, std::int64_t word) {
+  const N x = N::from_raw(static_cast<typename N::raw_type>(word));
+  return (tangent == Function::tan              ? tan(x)
+          : tangent == Function::tan_of_degrees ? tan_of_degrees(x)
+                                                : tan_of_turns(x))
+      .raw();
+}
+
+/// A format, and what computes tangents of its stored integers under each rule for results out of
+/// range. Formats that stand for no other have only the first.
+struct Format {
+  using Compute = std::int64_t (*)(Function tangent, std::int64_t word);
+
+  std::int64_t lowest;
+  std::int64_t highest;
+  int fraction_bits;
+  Compute wrapping;
+  Compute saturating = nullptr;
+  Compute trapping = nullptr;
+};
+
 /// The results under the rules for results out of range: all of them in formats that stand for
-/// others. \param compute the tangent, of any format
-template <class Raw, int F, class Compute>
-void expect_nearest(Function tangent, Raw word, const Compute& compute) {
-  using limits = std::numeric_limits<Raw>;
-  const auto exact = oracle::nearest(tangent, word, 0, F, oracle::Rounding::half_up);
-  const Raw in_range = exact && *exact < limits::min()    ? limits::min()
-                       : !exact || *exact > limits::max() ? limits::max()
-                                                          : static_cast<Raw>(*exact);
-  ASSERT_EQ(compute(wrapping<Raw, F>::from_raw(word)).raw(), in_range);
-  if constexpr (stands_for_others<Raw, F>()) {
-    ASSERT_EQ(compute(saturating<Raw, F>::from_raw(word)).raw(), in_range);
-    trapping<Raw, F> result;
-    const Ending ending = ending_of([&] { result = compute(trapping<Raw, F>::from_raw(word)); });
-    ASSERT_EQ(ending, !exact               ? Ending::domain_error
-                      : *exact != in_range ? Ending::overflow_error
-                                           : Ending::value);
-    if (ending == Ending::value) {
-      ASSERT_EQ(result.raw(), in_range);
-    }
+/// others.
+void expect_nearest(const Format& format, Function tangent, std::int64_t word) {
+  const auto exact =
+      oracle::nearest(tangent, word, 0, format.fraction_bits, oracle::Rounding::half_up);
+  const std::int64_t in_range = exact && *exact < format.lowest ? format.lowest
+                                : !exact || *exact > format.highest
+                                    ? format.highest
+                                    : static_cast<std::int64_t>(*exact);
+  ASSERT_EQ(format.wrapping(tangent, word), in_range);
+  if (format.saturating == nullptr) return;
+  ASSERT_EQ(format.saturating(tangent, word), in_range);
+  std::int64_t result = 0;
+  const Ending ending = ending_of([&] { result = format.trapping(tangent, word); });
+  ASSERT_EQ(ending, !exact               ? Ending::domain_error
+                    : *exact != in_range ? Ending::overflow_error
+                                         : Ending::value);
+  if (ending == Ending::value) {
+    ASSERT_EQ(result, in_range);
   }
 }
 
@@ -107,18 +131,17 @@ std::vector<Integer> words_at_poles(const Integer& quarter_ulps, const Integer& 
 }
 
 /// Words next to the poles of both signs.
-template <class Raw, int F, class Compute>
-void expect_nearest_at_poles(Function tangent, const Compute& compute) {
-  using limits = std::numeric_limits<Raw>;
+void expect_nearest_at_poles(const Format& format, Function tangent) {
   for (const int sign : {1, -1}) {
-    const Integer end = sign < 0 ? -Integer(limits::min()) : Integer(limits::max());
-    for (const Integer& place : words_at_poles(quarter_turn(tangent) << F, end)) {
+    const Integer end = sign < 0 ? -Integer(format.lowest) : Integer(format.highest);
+    for (const Integer& place :
+         words_at_poles(quarter_turn(tangent) << format.fraction_bits, end)) {
       for (int off = -1; off <= 2; ++off) {
         const Integer word = sign * (place + off);
-        if (word < limits::min() || word > limits::max()) continue;
-        ASSERT_NO_FATAL_FAILURE((expect_nearest<Raw, F>(tangent, static_cast<Raw>(word), compute)))
-            << "function " << static_cast<int>(tangent) << " of " << word << " with " << F
-            << " fraction bits";
+        if (word < format.lowest || word > format.highest) continue;
+        ASSERT_NO_FATAL_FAILURE(expect_nearest(format, tangent, static_cast<std::int64_t>(word)))
+            << "function " << static_cast<int>(tangent) << " of " << word << " with "
+            << format.fraction_bits << " fraction bits";
       }
     }
   }
@@ -134,29 +157,42 @@ constexpr bool has_all_formats = sizeof(Raw) == 4;
 #endif
 
 template <class Raw, int F>
-void expect_nearest_at_all_poles() {
-  if constexpr (has_all_formats<Raw> || stands_for_others<Raw, F>()) {
-    expect_nearest_at_poles<Raw, F>(Function::tan, [](auto x) { return tan(x); });
-    expect_nearest_at_poles<Raw, F>(Function::tan_of_degrees,
-                                    [](auto x) { return tan_of_degrees(x); });
-    expect_nearest_at_poles<Raw, F>(Function::tan_of_turns, [](auto x) { return tan_of_turns(x); });
+void add_format(std::vector<Format>& formats) {
+  using limits = std::numeric_limits<Raw>;
+  if constexpr (stands_for_others<Raw, F>()) {
+    formats.push_back({limits::min(), limits::max(), F, tangent_of<wrapping<Raw, F>>,
+                       tangent_of<saturating<Raw, F>>, tangent_of<trapping<Raw, F>>});
+  } else if constexpr (has_all_formats<Raw>) {
+    formats.push_back({limits::min(), limits::max(), F, tangent_of<wrapping<Raw, F>>});
   }
 }
 
-template <class Raw, int... F>
-void expect_nearest_in_every_format(std::integer_sequence<int, F...> /*fraction_bits*/) {
-  (expect_nearest_at_all_poles<Raw, F>(), ...);
-}
+/// The formats with one type of stored integers.
+struct Formats {
+  std::vector<Format> formats;
 
-template <class Raw>
-class NextToPoles : public testing::Test {};
-using Words = testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
-                             std::uint32_t>;
-TYPED_TEST_SUITE(NextToPoles, Words);
+  template <class Raw>
+  static Formats of() {
+    return with<Raw>(std::make_integer_sequence<int, 8 * sizeof(Raw) + 1>());
+  }
+  template <class Raw, int... F>
+  static Formats with(std::integer_sequence<int, F...> /*fraction_bits*/) {
+    Formats all;
+    (add_format<Raw, F>(all.formats), ...);
+    return all;
+  }
+};
+const auto every_format =
+    each_type::all<Formats>(testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
+                                           std::int32_t, std::uint32_t>());
 
-TYPED_TEST(NextToPoles, TangentsAreNearest) {
-  constexpr int bits = 8 * sizeof(TypeParam);
-  expect_nearest_in_every_format<TypeParam>(std::make_integer_sequence<int, bits + 1>());
+TEST_OF_EACH(NextToPoles, TangentsAreNearest, Formats, every_format) {
+  for (const Format& format : type.formats) {
+    for (const Function tangent :
+         {Function::tan, Function::tan_of_degrees, Function::tan_of_turns}) {
+      expect_nearest_at_poles(format, tangent);
+    }
+  }
 }
 
 }  // namespace
