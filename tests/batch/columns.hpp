@@ -62,6 +62,16 @@ N number_of(Word word) {
   return N::from_raw(static_cast<typename N::raw_type>(word));
 }
 
+/// What the address of a column means to a batch.
+template <class N>
+std::span<const N> numbers(const void* from, std::size_t count) {
+  return {static_cast<const N*>(from), count};
+}
+template <class N>
+std::span<N> numbers(void* to, std::size_t count) {
+  return {static_cast<N*>(to), count};
+}
+
 /// Numbers in memory between guards. Without words, they are noise.
 class Column {
  public:

@@ -170,15 +170,6 @@ class Check {
 };
 
 template <class N>
-std::span<const N> numbers(const void* from, std::size_t count) {
-  return {static_cast<const N*>(from), count};
-}
-template <class N>
-std::span<N> numbers(void* to, std::size_t count) {
-  return {static_cast<N*>(to), count};
-}
-
-template <class N>
 const Rows<N>& rows_at(const void* by) {
   return *static_cast<const Rows<N>*>(by);
 }
