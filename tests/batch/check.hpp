@@ -30,25 +30,6 @@ void check(const std::vector<Expected<Number>>& want,
   }
 }
 
-/// Checks `batch(a, b, c, out, options)` at every length against `expect`, which takes an element
-/// of each operand. The operand arrays have different alignments.
-template <class Number, class Batch>
-void check_every_length(const std::function<Expected<Number>(Number, Number, Number)>& expect,
-                        const Batch& batch) {
-  const std::vector<Number> all = operands<Number>(3 * 1100, 8);
-  for (const std::size_t n : lengths()) {
-    const auto of = [&](std::size_t which) {
-      return std::span(all).subspan(1100 * which + n % (which + 5), n);
-    };
-    const auto a = of(0);
-    const auto b = of(1);
-    const auto c = of(2);
-    std::vector<Expected<Number>> want;
-    for (std::size_t i = 0; i < n; ++i) want.push_back(expect(a[i], b[i], c[i]));
-    check<Number>(want, [&](auto out, auto how) { return batch(a, b, c, out, how); });
-  }
-}
-
 /// Checks `call(options)`, which returns the report of a batch and its results, on every path.
 template <class Number, std::size_t size>
 void check(

@@ -2,6 +2,7 @@
 /// processor, against exact integers and the type.
 #include "batch/conversions.hpp"
 
+#include "tests/batch/columns.hpp"
 #include "tests/batch/expected.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/floats.hpp"
@@ -16,8 +17,6 @@ constexpr fixproof::policy to_even{.multiply = fixproof::rounding::half_even};
 constexpr fixproof::policy to_even_and_saturate{.multiply = fixproof::rounding::half_even,
                                                 .range = fixproof::overflow::saturate};
 
-template <class Number>
-class Floats : public testing::Test {};
 using number_types =
     testing::Types<fixproof::q16_16, fixproof::q16_16_saturating, fixproof::q16_16_trapping,
                    fixproof::q16_16_i386_unrounded, fixproof::q16_16_i8088,
@@ -27,7 +26,6 @@ using number_types =
                    fixproof::number<std::int32_t, 31, fixproof::policies::saturating>,
                    fixproof::number<std::int32_t, 32>, fixproof::number<std::uint32_t, 16>,
                    fixproof::number<std::int8_t, 3>, fixproof::number<std::int64_t, 32>>;
-TYPED_TEST_SUITE(Floats, number_types);
 
 /// Every exponent, halves and their neighbours, infinities, NaN, zeros and subnormals.
 template <class Float>
@@ -77,29 +75,77 @@ Expected<Number> expected_from(Float x) {
           floats::converted<Loud>(x).throws ? Fault::overflow : Fault::none};
 }
 
-template <class Number, class Float>
-void check_from() {
-  const std::vector<Float> all = values<Float>(Number::fraction_bits);
-  std::vector<Expected<Number>> expected;
-  for (const Float x : all) expected.push_back(expected_from<Number>(x));
+/// The conversions between one number type and one type of floating point.
+template <class Float>
+struct Conversion {
+  Type type;
+  Word (*expected)(Float x, Fault& fault);
+  Report (*from_floats)(std::span<const Float> x, void* out, const Options& how);
+  Float (*expected_float)(Word x);
+  void (*to_floats)(const void* x, std::span<Float> out, fixproof::batch::path path);
+};
+
+template <class N, class Float>
+Conversion<Float> conversion() {
+  return {Type::of<N>(),
+          [](Float x, Fault& fault) -> Word {
+            const auto want = expected_from<N>(x);
+            fault = want.fault;
+            return want.value.raw();
+          },
+          [](std::span<const Float> x, void* out, const Options& how) {
+            return fixproof::batch::from_floats(x, numbers<N>(out, x.size()), how);
+          },
+          [](Word x) { return static_cast<Float>(number_of<N>(x)); },
+          [](const void* x, std::span<Float> out, fixproof::batch::path path) {
+            fixproof::batch::to_floats(numbers<N>(x, out.size()), out, path);
+          }};
+}
+
+/// Those of one number type.
+struct OfType {
+  Conversion<double> doubles;
+  Conversion<float> floats;
+
+  friend std::ostream& operator<<(std::ostream& out, const OfType& all) {
+    return out << all.doubles.type;
+  }
+};
+constexpr auto conversions_of = []<class N>(std::type_identity<N> /*number*/) -> OfType {
+  return {conversion<N, double>(), conversion<N, float>()};
+};
+
+class Floats : public testing::TestWithParam<OfType> {};
+INSTANTIATE_TEST_SUITE_P(OfEachType, Floats,
+                         testing::ValuesIn(of_each(number_types(), conversions_of)));
+
+template <class Float>
+void check_from(const Conversion<Float>& conversion) {
+  const std::vector<Float> all = values<Float>(conversion.type.fraction_bits);
+  Words expected(all.size());
+  std::vector<Fault> expected_faults(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    expected[i] = conversion.expected(all[i], expected_faults[i]);
+  }
   const auto check = [&](std::size_t first, std::size_t n, fixproof::batch::path path, int mode) {
-    std::vector<Fault> faults;
-    for (std::size_t i = 0; i < n; ++i) faults.push_back(expected[first + i].fault);
-    Guarded<Number> out(n);
+    const auto begin = static_cast<std::ptrdiff_t>(first);
+    const auto end = static_cast<std::ptrdiff_t>(first + n);
+    const Column want(conversion.type, {expected.begin() + begin, expected.begin() + end});
+    Column out(conversion.type, n);
     Marked marked(n);
-    fixproof::batch::report report;
+    Report report;
     {
       const RoundingMode set(mode);
-      report = fixproof::batch::from_floats(std::span(all).subspan(first, n), out.inside(),
-                                            marked.how(path));
+      report =
+          conversion.from_floats(std::span(all).subspan(first, n), out.at(0), marked.how(path));
     }
-    for (std::size_t i = 0; i < n; ++i) {
-      ASSERT_EQ(out.inside()[i].raw(), expected[first + i].value.raw())
-          << all[first + i] << ", path " << static_cast<int>(path) << ", mode " << mode << ", " << i
-          << " of " << n;
+    SCOPED_TRACE(testing::Message() << "path " << static_cast<int>(path) << ", mode " << mode);
+    if (!same(out, want)) {
+      std::size_t i = 0;
+      while (i + 1 < n && out[i] == want[i]) ++i;
+      FAIL() << same(out, want).message() << ": of " << all[first + i];
     }
-    marked.check(report, faults);
-    ASSERT_TRUE(out.intact());
+    marked.check(report, {expected_faults.begin() + begin, expected_faults.begin() + end});
   };
   for (const auto path : paths()) {
     for (const int mode : RoundingMode::all) check(0, all.size(), path, mode);
@@ -107,26 +153,26 @@ void check_from() {
   }
 }
 
-TYPED_TEST(Floats, BecomeNumbers) {
-  check_from<TypeParam, double>();
-  check_from<TypeParam, float>();
+TEST_P(Floats, BecomeNumbers) {
+  check_from(GetParam().doubles);
+  check_from(GetParam().floats);
 }
 
-template <class Number, class Float>
-void check_to() {
-  using raw = typename Number::raw_type;
-  std::vector<Number> x;
+template <class Float>
+void check_to(const Conversion<Float>& conversion) {
+  Words x;
   std::mt19937_64 random(3);
-  for (int i = 0; i < 2000; ++i) x.push_back(Number::from_raw(static_cast<raw>(random())));
+  for (int i = 0; i < 2000; ++i) x.push_back(static_cast<Word>(random()));
   for (const int step : {-2, -1, 0, 1, 2, 3}) {
     // About ties of 24 bits, and the ends of the range.
     for (const int bits : {0, 24, 25, 30, 31}) {
-      x.push_back(Number::from_raw(static_cast<raw>((std::int64_t{1} << bits) + step)));
-      x.push_back(Number::from_raw(static_cast<raw>(-(std::int64_t{1} << bits) - step)));
+      x.push_back((Word{1} << bits) + step);
+      x.push_back(-(Word{1} << bits) - step);
     }
   }
   std::vector<Float> want;
-  for (const Number n : x) want.push_back(static_cast<Float>(n));
+  for (const Word word : x) want.push_back(conversion.expected_float(word));
+  const Column numbers(conversion.type, x);
   for (const auto path : paths()) {
     for (const int mode : RoundingMode::all) {
       std::vector<std::size_t> counts{x.size()};
@@ -135,7 +181,7 @@ void check_to() {
         Guarded<Float> out(n);
         {
           const RoundingMode set(mode);
-          fixproof::batch::to_floats(std::span(x).last(n), out.inside(), path);
+          conversion.to_floats(numbers.at(x.size() - n), out.inside(), path);
         }
         // Bits, for the sign of zero.
         ASSERT_TRUE(n == 0 ||
@@ -148,9 +194,9 @@ void check_to() {
 }
 
 // The float of one number is tested in tests/fixed.
-TYPED_TEST(Floats, ComeFromNumbers) {
-  check_to<TypeParam, double>();
-  check_to<TypeParam, float>();
+TEST_P(Floats, ComeFromNumbers) {
+  check_to(GetParam().doubles);
+  check_to(GetParam().floats);
 }
 
 TEST(FloatErrors, NameTheFirstElement) {

@@ -2,7 +2,7 @@
 /// alignment, and quotients and roots around the points where their rounding changes, against exact
 /// integers in every rounding mode of the processor. One file, so that each divide is compiled
 /// once.
-#include "tests/batch/check.hpp"
+#include "tests/batch/elements.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/types.hpp"
 #include "tests/support/rounding_mode.hpp"
@@ -11,72 +11,99 @@
 namespace batch_test {
 namespace {
 
-template <class Number>
-class Quotients : public testing::Test {};
-TYPED_TEST_SUITE(Quotients, fixproof::dividing_types);
+/// Stored integers of operands.
+struct Pair {
+  Word n, d;
+};
 
-TYPED_TEST(Quotients, EveryLength) {
-  using N = TypeParam;
-  check_every_length<N>([](N a, N b, N) { return expected_quotient(a, b); },
-                        [](auto a, auto b, auto, auto out, auto how) {
-                          return fixproof::batch::divide(a, b, out, how);
-                        });
+/// Operands whose quotients are nearly ties or integers. They depend on the format alone.
+template <class Raw, int fraction_bits>
+std::vector<Pair> near_misses() {
+  std::vector<Pair> pairs;
+  for (const auto& [n, d] : exact::near_misses<fixproof::number<Raw, fraction_bits>>()) {
+    pairs.push_back({n.raw(), d.raw()});
+  }
+  return pairs;
 }
 
-TYPED_TEST(Quotients, AreExactInEveryRoundingMode) {
-  std::vector<TypeParam> n;
-  std::vector<TypeParam> d;
-  std::vector<exact::outcome<TypeParam>> want;
-  for (const auto& pair : exact::near_misses<TypeParam>()) {
+/// Divides of one type.
+struct Division {
+  Operation divide;
+  std::vector<Pair> (*pairs)();
+  /// Nothing if it throws.
+  std::optional<Word> (*exact)(Word n, Word d);
+
+  friend std::ostream& operator<<(std::ostream& out, const Division& x) {
+    return out << x.divide.type;
+  }
+};
+constexpr auto division_of = []<class N>(std::type_identity<N> number) -> Division {
+  return {divide(number), near_misses<typename N::raw_type, N::fraction_bits>, [](Word n, Word d) {
+            const auto want = exact::quotient(number_of<N>(n), number_of<N>(d));
+            return want.throws ? std::nullopt : std::optional<Word>(want.raw);
+          }};
+};
+
+class Quotients : public testing::TestWithParam<Division> {};
+INSTANTIATE_TEST_SUITE_P(OfEachType, Quotients,
+                         testing::ValuesIn(of_each(fixproof::dividing_types(), division_of)));
+
+TEST_P(Quotients, EveryLength) { check_every_length(GetParam().divide); }
+
+TEST_P(Quotients, AreExactInEveryRoundingMode) {
+  const Operation& divide = GetParam().divide;
+  Words n;
+  Words d;
+  std::vector<std::optional<Word>> want;
+  for (const Pair& pair : GetParam().pairs()) {
     n.push_back(pair.n);
     d.push_back(pair.d);
-    want.push_back(exact::quotient(pair.n, pair.d));
+    want.push_back(GetParam().exact(pair.n, pair.d));
   }
   const std::size_t count = n.size();
   ASSERT_GT(count, 17'000U);
-  std::vector<TypeParam> out(count);
+  const Column ns(divide.type, n);
+  const Column ds(divide.type, d);
   for (const auto path : paths()) {
     for (const int mode : RoundingMode::all) {
+      Column out(divide.type, count);
       Marked marked(count);
       const auto how = marked.how(path);
       {
         const RoundingMode set(mode);
-        fixproof::batch::divide(n, d, out, how);
+        divide.many(ns.at(0), ds.at(0), nullptr, out.at(0), count, how);
       }
       for (std::size_t i = 0; i < count; ++i) {
-        if (want[i].throws) {
-          ASSERT_TRUE(how.marks[i]) << n[i] << " / " << d[i];
-        } else {
-          ASSERT_EQ(out[i].raw(), want[i].raw)
-              << n[i] << " / " << d[i] << ", path " << static_cast<int>(path) << ", mode " << mode;
-        }
+        if (want[i] ? out[i] == *want[i] : how.marks[i]) continue;
+        FAIL() << "raw " << n[i] << " / raw " << d[i] << " is raw " << out[i]
+               << (how.marks[i] ? ", marked," : "") << " instead of "
+               << (want[i] ? "raw " + std::to_string(*want[i]) : "an error") << ", path "
+               << static_cast<int>(path) << ", mode " << mode;
       }
     }
   }
 }
 
-/// Checks every path in every rounding mode of the processor. \param want stored integers
-template <class N>
-void check_roots(const std::vector<N>& x, const std::vector<std::int64_t>& want) {
-  std::vector<N> out(x.size());
+/// Checks every path in every rounding mode of the processor.
+void check_roots(const Operation& root, const Words& x, const Words& want) {
+  const Column from(root.type, x);
   for (const auto path : paths()) {
     for (const int mode : RoundingMode::all) {
+      Column out(root.type, x.size());
       {
         const RoundingMode set(mode);
-        fixproof::batch::sqrt(x, out, {path, {}});
+        root.many(from.at(0), nullptr, nullptr, out.at(0), x.size(), {path, {}});
       }
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        ASSERT_EQ(out[i].raw(), want[i]) << x[i] << ", path " << static_cast<int>(path);
-      }
+      ASSERT_TRUE(same(out, Column(root.type, want)))
+          << "path " << static_cast<int>(path) << ", mode " << mode;
     }
   }
 }
 
 // The root of r (r + 1) lies nearest to r + 1/2, and the root of a square is exact.
 TEST(Roots, AreNearestInEveryRoundingMode) {
-  using N = fixproof::q16_16;
-  std::vector<N> x;
-  std::vector<std::int64_t> want;
+  Words x;
+  Words want;
   std::mt19937_64 random(22);
   while (x.size() < 3000) {
     const auto r = static_cast<std::int64_t>(random() % 11863283);
@@ -85,29 +112,28 @@ TEST(Roots, AreNearestInEveryRoundingMode) {
       for (const int step : {0, 1}) {
         const std::int64_t raw = target / 65536 + step;
         if (raw > std::numeric_limits<std::int32_t>::max()) continue;
-        x.push_back(N::from_raw(static_cast<std::int32_t>(raw)));
+        x.push_back(raw);
         auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(raw) * 65536)) - 2;
         while ((2 * root + 1) * (2 * root + 1) < 4 * raw * 65536) ++root;
         want.push_back(std::max<std::int64_t>(root, 0));
       }
     }
   }
-  check_roots(x, want);
+  check_roots(square_root(std::type_identity<fixproof::q16_16>()), x, want);
 }
 
 TEST(Roots, OfEvery88WordInEveryRoundingMode) {
-  using N = fixproof::q8_8;
-  std::vector<N> x;
-  std::vector<std::int64_t> want;
+  Words x;
+  Words want;
   int root = 0;
   for (int raw = -32768; raw <= 32767; ++raw) {
-    x.push_back(N::from_raw(static_cast<std::int16_t>(raw)));
+    x.push_back(raw);
     // Finds the nearest root: the first one whose upper half-way point, squared, exceeds the
     // operand.
     while (raw > 0 && (2 * root + 1) * (2 * root + 1) < 4 * 256 * raw) ++root;
     want.push_back(root);
   }
-  check_roots(x, want);
+  check_roots(square_root(std::type_identity<fixproof::q8_8>()), x, want);
 }
 
 }  // namespace

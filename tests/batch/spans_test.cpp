@@ -1,5 +1,6 @@
 /// Tests every length to 130 at every kind of alignment, outputs that are inputs, and outputs that
 /// overlap inputs.
+#include "tests/batch/elements.hpp"
 #include "tests/batch/expected.hpp"
 #include "tests/support/test.hpp"
 
@@ -7,104 +8,95 @@ namespace batch_test {
 namespace {
 
 constexpr std::size_t longest = 130;
-constexpr std::size_t room = longest + 64;
 
-template <class Number>
-struct Operation {
-  const char* name;
-  std::function<Expected<Number>(Number, Number)> one;
-  std::function<fixproof::batch::report(std::span<const Number>, std::span<const Number>,
-                                        std::span<Number>, fixproof::batch::options)>
-      many;
+/// The operations of one type.
+struct OfType {
+  Type type;
+  std::array<Operation, 4> operations;
+
+  friend std::ostream& operator<<(std::ostream& out, const OfType& all) { return out << all.type; }
+};
+constexpr auto operations_of = []<class N>(std::type_identity<N> number) -> OfType {
+  return {Type::of<N>(), {multiply(number), mul_add(number), divide(number), square_root(number)}};
 };
 
-template <class N>
-std::vector<Operation<N>> operations() {
-  return {
-      {"multiply", [](N a, N b) { return expected<N>([](auto x, auto y) { return x * y; }, a, b); },
-       [](auto a, auto b, auto out, auto how) {
-         return fixproof::batch::multiply(a, b, out, how);
-       }},
-      {"mul_add",
-       [](N a, N b) {
-         return expected<N>([](auto x, auto y) { return fixproof::mul_add(x, y, x); }, a, b);
-       },
-       [](auto a, auto b, auto out, auto how) {
-         return fixproof::batch::mul_add(a, b, a, out, how);
-       }},
-      {"divide", [](N a, N b) { return expected_quotient(a, b); },
-       [](auto a, auto b, auto out, auto how) { return fixproof::batch::divide(a, b, out, how); }},
-      {"sqrt",
-       [](N a, N) {
-         auto root = expected<N>([](auto x) { return fixproof::sqrt(x); }, a);
-         if (a.raw() < 0) root.fault = Fault::domain_error;
-         return root;
-       },
-       [](auto a, auto, auto out, auto how) { return fixproof::batch::sqrt(a, out, how); }},
-  };
-}
+using number_types = testing::Types<fixproof::q16_16, fixproof::q16_16_saturating,
+                                    fixproof::q16_16_trapping, fixproof::q8_8_saturating>;
 
-/// Numbers that begin at a multiple of 64 bytes plus an offset.
-template <class Number>
+class Spans : public testing::TestWithParam<OfType> {
+ protected:
+  [[nodiscard]] static const Type& type() { return GetParam().type; }
+  [[nodiscard]] static const std::array<Operation, 4>& operations() {
+    return GetParam().operations;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(OfEachType, Spans,
+                         testing::ValuesIn(of_each(number_types(), operations_of)));
+
+/// Zeros that begin at a multiple of 64 bytes plus an offset.
 class Aligned {
  public:
-  explicit Aligned(std::size_t offset) : first_(offset / sizeof(Number)) {}
-  [[nodiscard]] std::span<Number> span(std::size_t n) { return std::span(all_).subspan(first_, n); }
+  explicit Aligned(std::size_t offset) : first_(offset) {}
+  /// Those of the column.
+  Aligned(std::size_t offset, const Column& numbers) : Aligned(offset) {
+    std::copy(numbers.at(0), numbers.at(numbers.size()), begin());
+  }
+  [[nodiscard]] std::byte* begin() { return &all_[first_]; }
 
  private:
   std::size_t first_;
-  alignas(64) std::array<Number, room> all_{};
+  alignas(64) std::array<std::byte, 1024> all_{};
 };
 
-template <class Number>
-class Spans : public testing::Test {};
-using number_types = testing::Types<fixproof::q16_16, fixproof::q16_16_saturating,
-                                    fixproof::q16_16_trapping, fixproof::q8_8_saturating>;
-TYPED_TEST_SUITE(Spans, number_types);
-
-template <class Number>
-void check(const Operation<Number>& o, std::span<const Number> a, std::span<const Number> b,
-           std::span<Number> out, const std::vector<Expected<Number>>& want,
-           fixproof::batch::path path) {
-  const std::size_t n = out.size();
-  Marked marked(n);
-  const auto report = o.many(a, b, out, marked.how(path));
+/// Operands of an operation, and its results. The third operand is the first one.
+struct Operands {
+  Column a;
+  Column b;
+  Column want;
   std::vector<Fault> faults;
-  for (std::size_t i = 0; i < n; ++i) {
-    ASSERT_EQ(out[i].raw(), want[i].value.raw())
-        << o.name << ", path " << static_cast<int>(path) << ", " << i << " of " << n;
-    faults.push_back(want[i].fault);
+
+  Operands(const Operation& o, const Words& in_a, const Words& in_b)
+      : a(o.type, in_a), b(o.type, in_b), want(o.type, in_a.size()) {
+    Wanted results;
+    for (std::size_t i = 0; i < in_a.size(); ++i) {
+      results.push_back(o.one(in_a[i], in_b[i], in_a[i]));
+    }
+    want = Column(o.type, results.raw);
+    faults = results.faults;
   }
-  marked.check(report, faults);
+  /// The first and the last operands are often the ones that a path treats apart.
+  explicit Operands(const Operation& o)
+      : Operands(o, operands(o.type, longest, 1), operands(o.type, longest, 2)) {}
+};
+
+/// Checks the first `n` results.
+void check(const Operation& o, const void* a, const void* b, std::byte* out, std::size_t n,
+           const Operands& x, fixproof::batch::path path) {
+  Marked marked(n);
+  const auto report = o.many(a, b, a, out, n, marked.how(path));
+  Column got(o.type, n);
+  std::copy(out, out + n * o.type.size, got.at(0));
+  SCOPED_TRACE(testing::Message() << o.name << ", path " << static_cast<int>(path));
+  ASSERT_TRUE(same(got, x.want, n));
+  marked.check(report, {x.faults.begin(), x.faults.begin() + static_cast<std::ptrdiff_t>(n)});
 }
 
-/// The first and the last operands are often the ones that a path treats apart.
-template <class Number>
-struct Operands {
-  std::vector<Number> a = operands<Number>(longest, 1);
-  std::vector<Number> b = operands<Number>(longest, 2);
-  std::vector<Expected<Number>> want;
-
-  explicit Operands(const Operation<Number>& o) {
-    for (std::size_t i = 0; i < longest; ++i) want.push_back(o.one(a[i], b[i]));
-  }
-};
-
-TYPED_TEST(Spans, OfEveryLengthAndAlignment) {
-  for (const auto& o : operations<TypeParam>()) {
-    const Operands<TypeParam> x(o);
+TEST_P(Spans, OfEveryLengthAndAlignment) {
+  for (const Operation& o : operations()) {
+    const Operands x(o);
     for (const std::size_t at_a : {0U, 4U, 16U}) {
       for (const std::size_t at_b : {0U, 4U, 16U}) {
         for (const std::size_t at_out : {0U, 4U, 16U}) {
-          Aligned<TypeParam> a(at_a);
-          Aligned<TypeParam> b(at_b);
-          std::copy(x.a.begin(), x.a.end(), a.span(longest).begin());
-          std::copy(x.b.begin(), x.b.end(), b.span(longest).begin());
+          Aligned a(at_a, x.a);
+          Aligned b(at_b, x.b);
           for (std::size_t n = 0; n <= longest; ++n) {
             for (const auto path : paths()) {
-              Aligned<TypeParam> out(at_out);
-              check<TypeParam>(o, a.span(n), b.span(n), out.span(n), x.want, path);
-              ASSERT_EQ(out.span(n + 1)[n], TypeParam()) << o.name << " writes after its end";
+              Aligned out(at_out);
+              check(o, a.begin(), b.begin(), out.begin(), n, x, path);
+              const std::byte* const end = out.begin() + n * type().size;
+              ASSERT_TRUE(std::all_of(end, end + type().size,
+                                      [](std::byte after) { return after == std::byte{}; }))
+                  << o.name << " writes after its end";
             }
           }
         }
@@ -113,17 +105,15 @@ TYPED_TEST(Spans, OfEveryLengthAndAlignment) {
   }
 }
 
-TYPED_TEST(Spans, MayBeOneSpan) {
-  for (const auto& o : operations<TypeParam>()) {
-    const Operands<TypeParam> x(o);
+TEST_P(Spans, MayBeOneSpan) {
+  for (const Operation& o : operations()) {
+    const Operands x(o);
     for (std::size_t n = 0; n <= longest; ++n) {
       for (const auto path : paths()) {
-        auto a = x.a;
-        check<TypeParam>(o, std::span(a).first(n), std::span(x.b).first(n), std::span(a).first(n),
-                         x.want, path);
-        auto b = x.b;
-        check<TypeParam>(o, std::span(x.a).first(n), std::span(b).first(n), std::span(b).first(n),
-                         x.want, path);
+        Column a = x.a;
+        check(o, a.at(0), x.b.at(0), a.at(0), n, x, path);
+        Column b = x.b;
+        check(o, x.a.at(0), b.at(0), b.at(0), n, x, path);
       }
     }
   }
@@ -131,24 +121,22 @@ TYPED_TEST(Spans, MayBeOneSpan) {
 
 // One element with a fault among many without one. Blocks before it are stored before its own is
 // tested, and the output is an input.
-TYPED_TEST(Spans, MayBeOneSpanWithOneFault) {
-  using N = TypeParam;
-  using limits = std::numeric_limits<N>;
-  for (const auto& o : operations<N>()) {
+TEST_P(Spans, MayBeOneSpanWithOneFault) {
+  const Word one = Word{1} << type().fraction_bits;
+  for (const Operation& o : operations()) {
     for (std::size_t n = 1; n <= 70; ++n) {
       for (std::size_t at = 0; at < n; ++at) {
-        for (const N second : {N(), limits::lowest()}) {
-          std::vector<N> a(n, N(2));
-          std::vector<N> b(n, N(1.5));
-          a[at] = limits::lowest();
-          b[at] = second;
-          std::vector<Expected<N>> want;
-          for (std::size_t i = 0; i < n; ++i) want.push_back(o.one(a[i], b[i]));
+        for (const Word second : {Word{0}, type().lowest()}) {
+          Words in_a(n, 2 * one);
+          Words in_b(n, 3 * one / 2);
+          in_a[at] = type().lowest();
+          in_b[at] = second;
+          const Operands x(o, in_a, in_b);
           for (const auto path : paths()) {
-            auto x = a;
-            check<N>(o, x, b, x, want, path);
-            auto y = b;
-            check<N>(o, a, y, y, want, path);
+            Column a = x.a;
+            check(o, a.at(0), x.b.at(0), a.at(0), n, x, path);
+            Column b = x.b;
+            check(o, x.a.at(0), b.at(0), b.at(0), n, x, path);
           }
         }
       }
@@ -157,43 +145,40 @@ TYPED_TEST(Spans, MayBeOneSpanWithOneFault) {
 }
 
 // One product just beyond the range among many within it.
-TYPED_TEST(Spans, WithOneOverflow) {
-  using raw = typename TypeParam::raw_type;
-  constexpr double highest = std::numeric_limits<raw>::max();
-  constexpr double one = 1 << TypeParam::fraction_bits;
-  const auto o = operations<TypeParam>()[0];
+TEST_P(Spans, WithOneOverflow) {
+  const Operation& products = operations()[0];
   // The smallest whose square is out of range, and its negative.
-  const auto end = TypeParam::from_raw(static_cast<raw>(std::ceil(std::sqrt(highest * one))));
+  const auto highest = static_cast<double>(type().highest());
+  const auto end =
+      static_cast<Word>(std::ceil(std::sqrt(std::ldexp(highest, type().fraction_bits))));
   for (std::size_t at = 0; at < longest; ++at) {
-    for (const TypeParam factor : {end, TypeParam::from_raw(static_cast<raw>(-end.raw()))}) {
-      Operands<TypeParam> x(o);
-      std::fill(x.a.begin(), x.a.end(), TypeParam::from_raw(3));
-      std::fill(x.b.begin(), x.b.end(), TypeParam::from_raw(-5));
-      x.a[at] = end;
-      x.b[at] = factor;
-      for (std::size_t i = 0; i < longest; ++i) x.want[i] = o.one(x.a[i], x.b[i]);
+    for (const Word factor : {end, -end}) {
+      Words a(longest, 3);
+      Words b(longest, -5);
+      a[at] = end;
+      b[at] = factor;
+      const Operands x(products, a, b);
       for (const auto path : paths()) {
-        auto out = x.a;
-        check<TypeParam>(o, x.a, x.b, out, x.want, path);
+        Column out = x.a;
+        check(products, x.a.at(0), x.b.at(0), out.at(0), longest, x, path);
       }
     }
   }
 }
 
 // The results are unspecified, but nothing else is written.
-TYPED_TEST(Spans, ThatOverlapDoNotWriteElsewhere) {
-  for (const auto& o : operations<TypeParam>()) {
+TEST_P(Spans, ThatOverlapDoNotWriteElsewhere) {
+  for (const Operation& o : operations()) {
     for (std::size_t n = 1; n <= 70; ++n) {
       for (const std::size_t shift : {1U, 3U, 8U, 15U, 16U, 17U}) {
+        const Column before(type(), operands(type(), n + 2 * shift + 2, 5));
         for (const auto path : paths()) {
-          const auto before = operands<TypeParam>(n + 2 * shift + 2, 5);
           for (const bool ahead : {false, true}) {
-            auto all = before;
+            Column all = before;
             const std::size_t from = ahead ? 1 : 1 + shift;
             const std::size_t to = ahead ? 1 + shift : 1;
             Marked marked(n);
-            o.many(std::span(all).subspan(from, n), std::span(before).first(n),
-                   std::span(all).subspan(to, n), marked.how(path));
+            o.many(all.at(from), before.at(0), all.at(from), all.at(to), n, marked.how(path));
             for (std::size_t i = 0; i < all.size(); ++i) {
               if (i >= to && i < to + n) continue;
               ASSERT_EQ(all[i], before[i]) << o.name << ", " << n << " shifted by " << shift;
