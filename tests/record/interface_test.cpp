@@ -1,115 +1,31 @@
 // Runs every operation of the type on the recorded type. It must give the same bits and make one
 // record, or none if it makes no number. `interface` checks that no function of fixed/ is missing
 // here.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <optional>
-#include <random>
 #include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #define FIXPROOF_RECORD 1
 #include "record/recorded.hpp"
+#include "tests/record/comparison.hpp"
 
 namespace {
 
 using namespace fixproof;
 
-/// \name A result as text, to compare
-/// \{
-template <class Raw, int F, policy P>
-std::string bits(number<Raw, F, P> x) {
-  return std::to_string(x.raw());
-}
-template <class N>
-std::string bits(recorded_number<N> x) {
-  return bits(x.plain());
-}
-template <class T>
-requires std::is_arithmetic_v<T> std::string bits(T x) { return std::to_string(x); }
-inline std::string bits(const std::string& x) { return x; }
-template <class N>
-std::string bits(const std::optional<N>& x) {
-  return x ? bits(*x) : "nothing";
-}
-template <class N>
-std::string bits(const overflowing<N>& x) {
-  return bits(x.value) + (x.overflow ? " overflows" : "");
-}
-template <class N>
-std::string bits(const cos_sin<N>& x) {
-  return bits(x.cos) + ' ' + bits(x.sin);
-}
-template <class A, class B>
-std::string bits(const std::pair<A, B>& x) {
-  return bits(x.first) + ' ' + bits(x.second);
-}
-/// \}
-
-/// Returns the text that `call` returns, or the message of the exception that it throws.
-template <class T>
-std::string outcome(std::string (*call)(const T&, const T&, const T&), const T& a, const T& b,
-                    const T& c) {
-  try {
-    return call(a, b, c);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
-
 template <class Number>
-class Interface : public testing::Test {
+class Interface : public comparison::Comparison {
  protected:
-  using N = Number;
-  using R = recorded_number<Number>;
-  using Raw = typename N::raw_type;
-  template <class T>
-  using Call = std::string (*)(const T&, const T&, const T&);
-
-  /// Calls a function object of type F with plain and with recorded operands: the ends of the range
-  /// and random ones. The loop is in compare(), so only the two calls are compiled for each of the
-  /// hundreds of types F.
+  /// Calls a function object of type F with plain and with recorded operands. Only the two calls
+  /// are compiled for each of the hundreds of types F.
   template <class F>
   void expect(const char* name, std::uint64_t records, F) {
-    compare(
-        name, records, [](const N& a, const N& b, const N& c) { return bits(F{}(a, b, c)); },
-        [](const R& a, const R& b, const R& c) { return bits(F{}(a, b, c)); });
+    compare(comparison::Type::of<Number>(), name, records, comparison::call<F, Number>,
+            comparison::call<F, recorded_number<Number>>);
   }
-
-  void compare(const char* name, std::uint64_t records, Call<N> plain, Call<R> recorded) {
-    constexpr Raw low = (std::numeric_limits<Raw>::min)();
-    constexpr Raw high = (std::numeric_limits<Raw>::max)();
-    std::vector<Raw> raws{0, 1, low, high, static_cast<Raw>(low + 1), static_cast<Raw>(high / 3)};
-    if constexpr (N::fraction_bits < std::numeric_limits<Raw>::digits) {
-      raws.push_back(static_cast<Raw>(Raw{1} << N::fraction_bits));
-    }
-    for (int i = 0; i < 3; ++i) raws.push_back(static_cast<Raw>(random_()));
-    for (const Raw a : raws) {
-      for (const Raw b : raws) {
-        const Raw c = raws[random_() % raws.size()];
-        const std::string expected = outcome(plain, N::from_raw(a), N::from_raw(b), N::from_raw(c));
-        const R x(N::from_raw(a));
-        const R y(N::from_raw(b));
-        const R z(N::from_raw(c));
-        const std::uint64_t before = record::detail::current_left;
-        const std::string got = outcome(recorded, x, y, z);
-        ASSERT_EQ(got, expected) << name << ' ' << +a << ' ' << +b << ' ' << +c;
-        ASSERT_EQ(before - record::detail::current_left, records)
-            << name << ' ' << +a << ' ' << +b << ' ' << +c;
-      }
-    }
-  }
-
- private:
-  std::mt19937_64 random_{1994};
 };
 
 using Types = testing::Types<q16_16, q16_16_saturating, q16_16_trapping, q16_16_i386, q16_16_i8088,
