@@ -101,7 +101,7 @@ struct Wanted {
 
 /// Checks an operation at every length. The operands have different alignments.
 inline void check_every_length(const Operation& o) {
-  const Words words = operands(o.type, 3 * 1100, 8);
+  const Words words = operands(o.type, 3300, 8);
   const Column all(o.type, words);
   for (const std::size_t n : lengths()) {
     const std::size_t a = n % 5;

@@ -166,24 +166,29 @@ TEST_P(Spans, WithOneOverflow) {
   }
 }
 
+/// Checks an output that begins `shift` numbers after the first operand, or before it.
+void check_overlap(const Operation& o, std::size_t n, std::size_t shift, fixproof::batch::path path,
+                   bool ahead) {
+  const Column before(o.type, operands(o.type, n + 2 * shift + 2, 5));
+  Column all = before;
+  const std::size_t from = ahead ? 1 : 1 + shift;
+  const std::size_t to = ahead ? 1 + shift : 1;
+  Marked marked(n);
+  o.many(all.at(from), before.at(0), all.at(from), all.at(to), n, marked.how(path));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i >= to && i < to + n) continue;
+    ASSERT_EQ(all[i], before[i]) << o.name << ", " << n << " shifted by " << shift;
+  }
+}
+
 // The results are unspecified, but nothing else is written.
 TEST_P(Spans, ThatOverlapDoNotWriteElsewhere) {
   for (const Operation& o : operations()) {
     for (std::size_t n = 1; n <= 70; ++n) {
       for (const std::size_t shift : {1U, 3U, 8U, 15U, 16U, 17U}) {
-        const Column before(type(), operands(type(), n + 2 * shift + 2, 5));
         for (const auto path : paths()) {
-          for (const bool ahead : {false, true}) {
-            Column all = before;
-            const std::size_t from = ahead ? 1 : 1 + shift;
-            const std::size_t to = ahead ? 1 + shift : 1;
-            Marked marked(n);
-            o.many(all.at(from), before.at(0), all.at(from), all.at(to), n, marked.how(path));
-            for (std::size_t i = 0; i < all.size(); ++i) {
-              if (i >= to && i < to + n) continue;
-              ASSERT_EQ(all[i], before[i]) << o.name << ", " << n << " shifted by " << shift;
-            }
-          }
+          check_overlap(o, n, shift, path, false);
+          check_overlap(o, n, shift, path, true);
         }
       }
     }
