@@ -2,11 +2,6 @@
 
 namespace batch_formats {
 
-std::ostream& operator<<(std::ostream& out, const Type& type) {
-  return out << (type.is_signed ? "signed " : "unsigned ") << type.bits() << " bits, "
-             << type.fraction_bits << " after the point";
-}
-
 Result narrowed(const Type& type, const integer& value, overflow rule) {
   if (type.fits(value)) return {value};
   if (rule == overflow::wrap) return {type.wrapped(value)};

@@ -19,6 +19,7 @@ using fixproof::overflow;
 using fixproof::policy;
 using fixproof::batch::path;
 using reference::integer;
+using reference::Type;
 
 /// A projection may have a divide error in one coordinate while the other only overflows.
 inline constexpr policy saturate_or_fault{.range = overflow::saturate,
@@ -85,30 +86,6 @@ void under(const Check& check) {
   in_formats<P>(check, Which(), std::type_identity<Formats>(),
                 std::make_index_sequence<std::tuple_size_v<Formats>>());
 }
-
-/// A number type at run time, so that the checks are compiled once.
-struct Type {
-  std::size_t size;
-  bool is_signed;
-  int fraction_bits;
-  policy rules;
-
-  template <class N>
-  static Type of() {
-    return {sizeof(N), std::is_signed_v<typename N::raw_type>, N::fraction_bits, N::rules};
-  }
-  [[nodiscard]] int bits() const { return static_cast<int>(8 * size); }
-  [[nodiscard]] integer one() const { return reference::power(2, fraction_bits); }
-  [[nodiscard]] integer count() const { return reference::power(2, bits()); }
-  [[nodiscard]] integer lowest() const { return is_signed ? -(count() / 2) : integer(0); }
-  [[nodiscard]] bool fits(const integer& x) const {
-    return x >= lowest() && x < lowest() + count();
-  }
-  [[nodiscard]] integer wrapped(const integer& x) const {
-    return x - count() * reference::below(x - lowest(), count());
-  }
-};
-std::ostream& operator<<(std::ostream& out, const Type& type);
 
 enum class Fault { none, divide_error, overflow, domain_error };
 

@@ -11,10 +11,11 @@
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
+#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
-#include <random>
+#include <ostream>
+#include <type_traits>
 #include <vector>
 
 #include "fixed/error.hpp"
@@ -28,6 +29,7 @@ using integer = boost::multiprecision::number<
     boost::multiprecision::et_off>;
 
 inline integer power(int base, int exponent) {
+  if (base == 2) return integer(1) << exponent;
   return boost::multiprecision::pow(integer(base), static_cast<unsigned>(exponent));
 }
 
@@ -50,57 +52,75 @@ inline integer round(const integer& n, const integer& d, fixproof::rounding rule
   return up ? low + 1 : low;
 }
 
+/// A number type at run time, so that what is expected of it is compiled once for all types.
+struct Type {
+  std::size_t size;
+  bool is_signed;
+  int fraction_bits;
+  fixproof::policy rules;
+
+  template <class N>
+  static constexpr Type of() {
+    return {sizeof(N), std::is_signed_v<typename N::raw_type>, N::fraction_bits, N::rules};
+  }
+  [[nodiscard]] int bits() const { return static_cast<int>(8 * size); }
+  [[nodiscard]] integer one() const { return power(2, fraction_bits); }
+  [[nodiscard]] integer count() const { return power(2, bits()); }
+  [[nodiscard]] integer lowest() const { return is_signed ? -power(2, bits() - 1) : integer(0); }
+  [[nodiscard]] integer highest() const { return power(2, is_signed ? bits() - 1 : bits()) - 1; }
+  [[nodiscard]] bool fits(const integer& x) const { return x >= lowest() && x <= highest(); }
+  [[nodiscard]] integer wrapped(const integer& x) const {
+    return x - count() * below(x - lowest(), count());
+  }
+  /// The low bits of a word, extended to 64 bits.
+  [[nodiscard]] std::uint64_t extended(std::uint64_t word) const {
+    const int above = 64 - bits();
+    return is_signed ? static_cast<std::uint64_t>(static_cast<std::int64_t>(word << above) >> above)
+                     : word << above >> above;
+  }
+  /// The stored integer of a word that was extended to 64 bits.
+  [[nodiscard]] integer raw(std::uint64_t word) const {
+    return is_signed ? integer(static_cast<std::int64_t>(word)) : integer(word);
+  }
+};
+std::ostream& operator<<(std::ostream& out, const Type& type);
+
 /// A stored integer, or nothing for an error.
-template <class N>
 using result = std::optional<integer>;
 
 /// The value of a stored integer by the overflow rule.
+result in_range(const Type& type, const integer& value, fixproof::overflow rule);
+/// n / d, by the definition of every rule in fixed/policy.hpp.
+result quotient(const Type& type, const integer& n, const integer& whole_divisor);
+/// The stored integer as a word.
 template <class N>
-result<N> in_range(const integer& value, fixproof::overflow rule) {
-  using limits = std::numeric_limits<typename N::raw_type>;
-  const integer lowest = limits::min();
-  const integer highest = limits::max();
-  if (value >= lowest && value <= highest) return value;
-  if (rule == fixproof::overflow::trap) return std::nullopt;
-  if (rule == fixproof::overflow::saturate) return value < lowest ? lowest : highest;
-  const integer count = highest - lowest + 1;
-  return value - count * below(value - lowest, count);
+std::uint64_t word(N x) {
+  return static_cast<std::uint64_t>(x.raw());
+}
+template <class N>
+N number(std::uint64_t word) {
+  return N::from_raw(static_cast<typename N::raw_type>(word));
 }
 
+/// \name The same for a type at compile time
+/// \{
+template <class N>
+result in_range(const integer& value, fixproof::overflow rule) {
+  return in_range(Type::of<N>(), value, rule);
+}
 template <class N>
 integer raw(N x) {
   return integer(x.raw());
 }
-
 template <class N>
 integer one() {
   return power(2, N::fraction_bits);
 }
-
 template <class N>
-result<N> quotient(const integer& n, const integer& whole_divisor) {
-  using fixproof::divide_fault;
-  const integer zero = 0;
-  constexpr fixproof::overflow rule = N::rules.quotient_range();
-  constexpr divide_fault fault = N::rules.fault;
-  integer d = whole_divisor;
-  if (N::rules.divisor == fixproof::divisor_width::whole_part) d = d / one<N>() * one<N>();
-  if (d == 0) {
-    if (fault != divide_fault::none) return std::nullopt;
-    if (rule == fixproof::overflow::trap) return std::nullopt;
-    if (n == 0) return zero;
-    return in_range<N>(n < 0 ? -power(2, 100) : power(2, 100), fixproof::overflow::saturate);
-  }
-  const integer scaled = n * one<N>();
-  const integer magnitude = abs(scaled / d);
-  if (fault == divide_fault::unsigned_quotient && magnitude >= power(2, 8 * sizeof(N))) {
-    return std::nullopt;
-  }
-  const integer rounded =
-      d < 0 ? round(-scaled, -d, N::rules.divide) : round(scaled, d, N::rules.divide);
-  return in_range<N>(rounded,
-                     fault == divide_fault::signed_quotient ? fixproof::overflow::trap : rule);
+result quotient(const integer& n, const integer& whole_divisor) {
+  return quotient(Type::of<N>(), n, whole_divisor);
 }
+/// \}
 
 /// The nearest integer to sqrt(n). \pre n >= 0
 inline integer root(const integer& n) {
@@ -108,39 +128,31 @@ inline integer root(const integer& n) {
   return n - r * r > r ? r + 1 : r;
 }
 
-/// The outcome of a call that may throw one of fixed's errors.
+/// The outcome of a call that returns a stored integer and may throw one of fixed's errors.
 template <class Call>
-std::optional<integer> outcome(const Call& call) {
+result outcome_of(const Call& call) {
   try {
-    return integer(call().raw());
+    return call();
   } catch (const fixproof::overflow_error&) {
   } catch (const fixproof::divide_error&) {
   } catch (const fixproof::domain_error&) {
   }
   return std::nullopt;
 }
+template <class Call>
+result outcome(const Call& call) {
+  return outcome_of([&] { return integer(call().raw()); });
+}
 
 /// Stored integers at the edges: 0, the ends, powers of two with their neighbours, both signs; then
-/// random ones of every length.
+/// random ones of every length. As words, of which a type takes its low bits.
+std::vector<std::uint64_t> words(int bits, int random_count);
+
 template <class N>
 std::vector<N> operands(int random_count) {
-  using raw = typename N::raw_type;
   std::vector<N> values;
-  const auto add = [&values](std::uint64_t value) {
-    values.push_back(N::from_raw(static_cast<raw>(value)));
-  };
-  for (int bit = 0; bit < std::numeric_limits<std::make_unsigned_t<raw>>::digits;
-       bit += bit % 8 == 7 || bit % 8 == 6 ? 1 : 3) {
-    const std::uint64_t power = std::uint64_t{1} << bit;
-    for (const std::uint64_t value : {power - 1, power, power + 1}) {
-      add(value);
-      add(0 - value);
-    }
-  }
-  std::mt19937_64 random(19);
-  for (int i = 0; i < random_count; ++i) {
-    const std::uint64_t value = random() >> (random() % 64);
-    add(random() % 2 == 0 ? value : 0 - value);
+  for (const std::uint64_t value : words(8 * sizeof(N), random_count)) {
+    values.push_back(number<N>(value));
   }
   return values;
 }
