@@ -14,153 +14,268 @@ namespace {
 
 using fixproof::rounding;
 using reference::integer;
+using reference::number_of;
+using reference::Returned;
+using reference::Type;
+using reference::Word;
+using reference::word_of;
 
-/// The name of the first operation on a, b and c with a wrong result, or nothing.
+const Type int64 = Type::of<fixproof::number<std::int64_t, 0>>();
+
+/// The operations on three numbers.
+enum class Op { add, subtract, negate, multiply, divide, less, equal, mul_add, lerp, dot };
+constexpr std::array names{"a + b", "a - b",  "-a",      "a * b", "a / b",
+                           "a < b", "a == b", "mul_add", "lerp",  "dot"};
+
 template <class N>
-std::string first_wrong(N a, N b, N c) {
-  using namespace reference;  // NOLINT(google-build-using-namespace)
-  const integer x = raw(a);
-  const integer y = raw(b);
-  const integer z = raw(c);
-  constexpr fixproof::policy rules = N::rules;
-  const auto sum = [&](const integer& value) { return in_range<N>(value, rules.range); };
-  const auto product = [&](const integer& value) {
-    return in_range<N>(round(value, one<N>(), rules.multiply), rules.product_range());
-  };
-  if (outcome([&] { return a + b; }) != sum(x + y)) return "a + b";
-  if (outcome([&] { return a - b; }) != sum(x - y)) return "a - b";
-  if (outcome([&] { return -a; }) != sum(-x)) return "-a";
-  if (outcome([&] { return a * b; }) != product(x * y)) return "a * b";
-  if (outcome([&] { return a / b; }) != quotient<N>(x, y)) return "a / b";
-  if ((a < b) != (x < y) || (a == b) != (x == y)) return "a <=> b";
-  if (outcome([&] { return mul_add(a, b, c); }) != product(x * y + z * one<N>())) return "mul_add";
-  const auto blend =
-      in_range<N>(round(x * one<N>() + (y - x) * z, one<N>(), rules.multiply), rules.range);
-  if (outcome([&] { return lerp(a, b, c); }) != blend) return "lerp";
+Word call(Op op, Word x, Word y, Word z) {
+  const auto a = number_of<N>(x);
+  const auto b = number_of<N>(y);
+  const auto c = number_of<N>(z);
+  if (op == Op::add) return word_of(a + b);
+  if (op == Op::subtract) return word_of(a - b);
+  if (op == Op::negate) return word_of(-a);
+  if (op == Op::multiply) return word_of(a * b);
+  if (op == Op::divide) return word_of(a / b);
+  if (op == Op::less) return a < b;
+  if (op == Op::equal) return a == b;
+  if (op == Op::mul_add) return word_of(mul_add(a, b, c));
+  if (op == Op::lerp) return word_of(lerp(a, b, c));
   const std::array<N, 3> left{a, b, c};
   const std::array<N, 3> right{c, a, c};
-  if (outcome([&] { return dot(left, right); }) != product(x * z + y * x + z * z)) return "dot";
+  return word_of(dot(left, right));
+}
+
+Returned expected(Op op, const Type& type, const integer& x, const integer& y, const integer& z) {
+  const auto sum = [&](const integer& value) { return in_range(type, value, type.rules.range); };
+  if (op == Op::add) return sum(x + y);
+  if (op == Op::subtract) return sum(x - y);
+  if (op == Op::negate) return sum(-x);
+  if (op == Op::multiply) return returned_product(type, x * y);
+  if (op == Op::divide) return returned_quotient(type, x, y);
+  if (op == Op::less) return integer(x < y ? 1 : 0);
+  if (op == Op::equal) return integer(x == y ? 1 : 0);
+  if (op == Op::mul_add) return returned_product(type, x * y + z * type.one);
+  if (op == Op::lerp) {
+    return sum(reference::round(x * type.one + (y - x) * z, type.one, type.rules.multiply));
+  }
+  return returned_product(type, x * z + y * x + z * z);
+}
+
+/// The functions of one number.
+enum class Function { floor, trunc, round, ceil, abs, sqrt, to_int64 };
+constexpr std::array function_names{"floor", "trunc", "round",           "ceil",
+                                    "abs",   "sqrt",  "operator int64_t"};
+
+template <class N>
+Word call(Function function, Word x) {
+  const auto a = number_of<N>(x);
+  if (function == Function::floor) return word_of(floor(a));
+  if (function == Function::trunc) return word_of(trunc(a));
+  if (function == Function::round) return word_of(fixproof::round(a));
+  if (function == Function::ceil) return word_of(ceil(a));
+  if (function == Function::abs) return word_of(fixproof::abs(a));
+  if (function == Function::sqrt) return word_of(sqrt(a));
+  return static_cast<Word>(static_cast<std::int64_t>(a));
+}
+
+Returned expected(Function function, const Type& type, const integer& x) {
+  const fixproof::policy& rules = type.rules;
+  const auto in_type = [&](const integer& value) { return in_range(type, value, rules.range); };
+  const auto whole = [&](rounding rule) {
+    return in_type(reference::round(x, type.one, rule) * type.one);
+  };
+  const bool to_nearest = rules.multiply != rounding::floor && rules.multiply != rounding::truncate;
+  if (function == Function::floor) return whole(rounding::floor);
+  if (function == Function::trunc) return whole(rounding::truncate);
+  if (function == Function::round) return whole(to_nearest ? rules.multiply : rounding::half_up);
+  if (function == Function::ceil) return in_type(-reference::below(-x, type.one) * type.one);
+  if (function == Function::abs) return in_type(x < 0 ? -x : x);
+  if (function == Function::sqrt) {
+    const bool traps = rules.range == fixproof::overflow::trap;
+    if (x < 0) return traps ? Returned() : integer(0);
+    // Roots saturate under policies that wrap.
+    return in_range(type, reference::root(x * type.one),
+                    traps ? fixproof::overflow::trap : fixproof::overflow::saturate);
+  }
+  return in_range(int64, reference::round(x, type.one, rounding::truncate),
+                  fixproof::overflow::wrap);
+}
+
+/// The operations of one type.
+struct Calls {
+  Type type;
+  Word (*on_three)(Op op, Word a, Word b, Word c);
+  Word (*on_one)(Function function, Word a);
+
+  template <class N>
+  static Calls of() {
+    return {Type::of<N>(), call<N>, call<N>};
+  }
+};
+
+/// The first operation on a, b and c with a wrong result, or nothing.
+std::string first_wrong(const Calls& calls, Word a, Word b, Word c) {
+  const Type& type = calls.type;
+  const integer x = type.value(a);
+  const integer y = type.value(b);
+  const integer z = type.value(c);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto op = static_cast<Op>(i);
+    const auto got = reference::outcome([&] { return calls.on_three(op, a, b, c); });
+    const std::string wrong = difference(type, got, expected(op, type, x, y, z));
+    if (!wrong.empty()) return names[i] + (" is " + wrong);
+  }
   return {};
 }
 
 /// The same for functions of one number.
-template <class N>
-std::string first_wrong(N a) {
-  using namespace reference;  // NOLINT(google-build-using-namespace)
-  constexpr fixproof::policy rules = N::rules;
-  const integer x = raw(a);
-  const auto whole = [&](rounding rule) {
-    return in_range<N>(round(x, one<N>(), rule) * one<N>(), rules.range);
-  };
-  const bool to_nearest = rules.multiply != rounding::floor && rules.multiply != rounding::truncate;
-  if (outcome([&] { return floor(a); }) != whole(rounding::floor)) return "floor";
-  if (outcome([&] { return trunc(a); }) != whole(rounding::truncate)) return "trunc";
-  if (outcome([&] { return fixproof::round(a); }) !=
-      whole(to_nearest ? rules.multiply : rounding::half_up))
-    return "round";
-  const auto ceiling = in_range<N>(-below(-x, one<N>()) * one<N>(), rules.range);
-  if (outcome([&] { return ceil(a); }) != ceiling) return "ceil";
-  const integer magnitude = x < 0 ? -x : x;
-  if (outcome([&] { return fixproof::abs(a); }) != in_range<N>(magnitude, rules.range))
-    return "abs";
-  std::optional<integer> expected = integer(0);
-  // Roots saturate under policies that wrap.
-  const bool traps = rules.range == fixproof::overflow::trap;
-  if (x >= 0) {
-    expected = in_range<N>(root(x * one<N>()),
-                           traps ? fixproof::overflow::trap : fixproof::overflow::saturate);
+std::string first_wrong(const Calls& calls, Word a) {
+  const integer x = calls.type.value(a);
+  for (std::size_t i = 0; i < function_names.size(); ++i) {
+    const auto function = static_cast<Function>(i);
+    const Type& type = function == Function::to_int64 ? int64 : calls.type;
+    const auto got = reference::outcome([&] { return calls.on_one(function, a); });
+    const std::string wrong = difference(type, got, expected(function, calls.type, x));
+    if (!wrong.empty()) return function_names[i] + (" is " + wrong);
   }
-  if (x < 0 && traps) expected = std::nullopt;
-  if (outcome([&] { return sqrt(a); }) != expected) return "sqrt";
-  if (integer(static_cast<std::int64_t>(a)) !=
-      integer(static_cast<std::int64_t>(static_cast<std::uint64_t>(
-          in_range<fixproof::number<std::uint64_t, 0>>(round(x, one<N>(), rounding::truncate),
-                                                       fixproof::overflow::wrap)
-              .value()))))
-    return "operator int64_t";
   return {};
 }
+
+/// The operations of a number and an integer.
+enum class Mixed { conversion, add, subtract, subtract_from, multiply, divide, less, equal, more };
+constexpr std::array mixed_names{"conversion", "a + i", "a - i",  "i - a", "i * a",
+                                 "a / i",      "a < i", "a == i", "i < a"};
+
+template <class N, class Int>
+Word call(Mixed op, Word x, Word y) {
+  const auto a = number_of<N>(x);
+  const auto i = static_cast<Int>(y);
+  if (op == Mixed::conversion) return word_of(N(i));
+  if (op == Mixed::add) return word_of(a + i);
+  if (op == Mixed::subtract) return word_of(a - i);
+  if (op == Mixed::subtract_from) return word_of(i - a);
+  if (op == Mixed::multiply) return word_of(i * a);
+  if (op == Mixed::divide) return word_of(a / i);
+  if (op == Mixed::less) return a < i;
+  if (op == Mixed::equal) return a == i;
+  return i < a;
+}
+
+Returned expected(Mixed op, const Type& type, const integer& x, const integer& i) {
+  const integer y = i * type.one;
+  const auto sum = [&](const integer& value) { return in_range(type, value, type.rules.range); };
+  if (op == Mixed::conversion) return sum(y);
+  if (op == Mixed::add) return sum(x + y);
+  if (op == Mixed::subtract) return sum(x - y);
+  if (op == Mixed::subtract_from) return sum(y - x);
+  if (op == Mixed::multiply) return in_range(type, x * i, type.rules.product_range());
+  if (op == Mixed::divide) return returned_quotient(type, x, y);
+  if (op == Mixed::less) return integer(x < y ? 1 : 0);
+  if (op == Mixed::equal) return integer(x == y ? 1 : 0);
+  return integer(y < x ? 1 : 0);
+}
+
+/// The operations of one type with integers of another.
+struct MixedCalls {
+  Type integers;
+  Word (*call)(Mixed op, Word a, Word i);
+
+  template <class N, class Int>
+  static MixedCalls of() {
+    return {Type::of<fixproof::number<Int, 0>>(), ::call<N, Int>};
+  }
+};
+
+/// Those of one type with each type of integers.
+struct IntegerCalls {
+  Type type;
+  std::array<MixedCalls, 3> with;
+
+  template <class N>
+  static IntegerCalls of() {
+    return {Type::of<N>(),
+            {MixedCalls::of<N, std::int64_t>(), MixedCalls::of<N, std::uint64_t>(),
+             MixedCalls::of<N, std::int16_t>()}};
+  }
+};
 
 /// The same for a number and an integer.
-template <class N, class Int>
-std::string first_wrong_with(N a, Int i) {
-  using namespace reference;  // NOLINT(google-build-using-namespace)
-  constexpr fixproof::policy rules = N::rules;
-  const integer x = raw(a);
-  const integer y = integer(i) * one<N>();
-  const auto sum = [&](const integer& value) { return in_range<N>(value, rules.range); };
-  if (outcome([&] { return N(i); }) != sum(y)) return "conversion";
-  if (outcome([&] { return a + i; }) != sum(x + y)) return "a + i";
-  if (outcome([&] { return a - i; }) != sum(x - y)) return "a - i";
-  if (outcome([&] { return i - a; }) != sum(y - x)) return "i - a";
-  if (outcome([&] { return i * a; }) != in_range<N>(x * integer(i), rules.product_range()))
-    return "i * a";
-  if (outcome([&] { return a / i; }) != quotient<N>(x, y)) return "a / i";
-  if ((a < i) != (x < y) || (a == i) != (x == y) || (i < a) != (y < x)) return "a <=> i";
+std::string first_wrong(const Type& type, const MixedCalls& calls, Word a, Word i) {
+  const integer x = type.value(a);
+  const integer y = calls.integers.value(i);
+  for (std::size_t k = 0; k < mixed_names.size(); ++k) {
+    const auto op = static_cast<Mixed>(k);
+    const auto got = reference::outcome([&] { return calls.call(op, a, i); });
+    const std::string wrong = difference(type, got, expected(op, type, x, y));
+    if (!wrong.empty()) return mixed_names[k] + (" is " + wrong + ", i = " + y.str());
+  }
   return {};
 }
 
-template <class N>
-class NarrowFormats : public testing::Test {};
-TYPED_TEST_SUITE(NarrowFormats, formats::narrow);
-
-TYPED_TEST(NarrowFormats, EveryPair) {
-  using N = TypeParam;
-  using limits = std::numeric_limits<typename N::raw_type>;
-  for (int i = limits::min(); i <= limits::max(); ++i) {
-    const N a = N::from_raw(static_cast<typename N::raw_type>(i));
-    ASSERT_EQ(first_wrong(a), "") << a;
-    for (int k = limits::min(); k <= limits::max(); ++k) {
-      const N b = N::from_raw(static_cast<typename N::raw_type>(k));
-      const N c = N::from_raw(static_cast<typename N::raw_type>(i * 7 + k * 3));
-      ASSERT_EQ(first_wrong(a, b, c), "") << a << ", " << b << ", " << c;
+void every_pair(const Calls& calls) {
+  const Type& type = calls.type;
+  const auto lowest = static_cast<int>(type.lowest);
+  const auto highest = static_cast<int>(type.highest);
+  const auto word = [&](int value) { return type.word(static_cast<Word>(value)); };
+  for (int i = lowest; i <= highest; ++i) {
+    const Word a = word(i);
+    ASSERT_EQ(first_wrong(calls, a), "") << listed(type, {a});
+    for (int k = lowest; k <= highest; ++k) {
+      const Word b = word(k);
+      const Word c = word(i * 7 + k * 3);
+      ASSERT_EQ(first_wrong(calls, a, b, c), "") << listed(type, {a, b, c});
     }
   }
 }
+[[maybe_unused]] const bool narrow_pairs =
+    formats::test_each<formats::narrow>("NarrowFormats", "EveryPair", every_pair);
 
-template <class N>
-class WideFormats : public testing::Test {};
-TYPED_TEST_SUITE(WideFormats, formats::wide);
-
-TYPED_TEST(WideFormats, EdgesAndRandomNumbers) {
-  const auto values = reference::operands<TypeParam>(60);
+void edges_and_random_numbers(const Calls& calls) {
+  const auto values = reference::operands(calls.type, 60);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    ASSERT_EQ(first_wrong(values[i]), "") << values[i];
+    ASSERT_EQ(first_wrong(calls, values[i]), "") << listed(calls.type, {values[i]});
     for (std::size_t k = 0; k < values.size(); ++k) {
-      const TypeParam c = values[(i * 7 + k * 3) % values.size()];
-      ASSERT_EQ(first_wrong(values[i], values[k], c), "")
-          << values[i] << ", " << values[k] << ", " << c;
+      const Word c = values[(i * 7 + k * 3) % values.size()];
+      ASSERT_EQ(first_wrong(calls, values[i], values[k], c), "")
+          << listed(calls.type, {values[i], values[k], c});
     }
   }
 }
+[[maybe_unused]] const bool wide_edges = formats::test_each<formats::wide>(
+    "WideFormats", "EdgesAndRandomNumbers", edges_and_random_numbers);
 
-TYPED_TEST(WideFormats, EveryTripleOfEnds) {
-  using limits = std::numeric_limits<TypeParam>;
-  const std::array ends{(limits::min)(),
-                        limits::lowest(),
-                        (limits::max)(),
-                        TypeParam(),
-                        TypeParam::from_raw(limits::lowest().raw() + 1),
-                        TypeParam::from_raw((limits::max)().raw() - 1)};
-  for (const TypeParam a : ends) {
-    for (const TypeParam b : ends) {
-      for (const TypeParam c : ends) {
-        ASSERT_EQ(first_wrong(a, b, c), "") << a << ", " << b << ", " << c;
+void every_triple_of_ends(const Calls& calls) {
+  const Type& type = calls.type;
+  const Word lowest = type.stored(type.lowest);
+  const Word highest = type.stored(type.highest);
+  const std::array ends{Word{1}, lowest, highest, Word{0}, lowest + 1, highest - 1};
+  for (const Word a : ends) {
+    for (const Word b : ends) {
+      for (const Word c : ends) {
+        ASSERT_EQ(first_wrong(calls, a, b, c), "") << listed(type, {a, b, c});
       }
     }
   }
 }
+[[maybe_unused]] const bool wide_ends =
+    formats::test_each<formats::wide>("WideFormats", "EveryTripleOfEnds", every_triple_of_ends);
 
-TYPED_TEST(WideFormats, Integers) {
-  const auto some_integers = reference::operands<fixproof::number<std::int64_t, 0>>(30);
-  for (const TypeParam a : reference::operands<TypeParam>(30)) {
-    for (const auto i : some_integers) {
-      ASSERT_EQ(first_wrong_with(a, i.raw()), "") << a << ", " << i;
-      ASSERT_EQ(first_wrong_with(a, static_cast<std::uint64_t>(i.raw())), "") << a << ", " << i;
-      ASSERT_EQ(first_wrong_with(a, static_cast<std::int16_t>(i.raw())), "") << a << ", " << i;
+void integers(const IntegerCalls& calls) {
+  const auto some_integers = reference::operands(int64, 30);
+  for (const MixedCalls& with : calls.with) {
+    // Many are equal as short integers.
+    std::set<Word> distinct;
+    for (const Word i : some_integers) distinct.insert(with.integers.word(i));
+    for (const Word a : reference::operands(calls.type, 30)) {
+      for (const Word i : distinct) {
+        ASSERT_EQ(first_wrong(calls.type, with, a, i), "") << listed(calls.type, {a});
+      }
     }
   }
 }
+[[maybe_unused]] const bool wide_integers =
+    formats::test_each<formats::wide>("WideFormats", "Integers", integers);
 
 // The policy of products decides whether mul_add throws.
 constexpr fixproof::policy products_throw{.products = fixproof::overflow::trap};

@@ -18,7 +18,13 @@ namespace batch_formats {
 using fixproof::overflow;
 using fixproof::policy;
 using fixproof::batch::path;
+using reference::Fault;
 using reference::integer;
+using reference::narrowed;
+using reference::product;
+using reference::quotient;
+using reference::Result;
+using reference::Type;
 
 /// A projection may have a divide error in one coordinate while the other only overflows.
 inline constexpr policy saturate_or_fault{.range = overflow::saturate,
@@ -86,50 +92,12 @@ void under(const Check& check) {
                 std::make_index_sequence<std::tuple_size_v<Formats>>());
 }
 
-/// A number type at run time, so that the checks are compiled once.
-struct Type {
-  std::size_t size;
-  bool is_signed;
-  int fraction_bits;
-  policy rules;
-
-  template <class N>
-  static Type of() {
-    return {sizeof(N), std::is_signed_v<typename N::raw_type>, N::fraction_bits, N::rules};
-  }
-  [[nodiscard]] int bits() const { return static_cast<int>(8 * size); }
-  [[nodiscard]] integer one() const { return reference::power(2, fraction_bits); }
-  [[nodiscard]] integer count() const { return reference::power(2, bits()); }
-  [[nodiscard]] integer lowest() const { return is_signed ? -(count() / 2) : integer(0); }
-  [[nodiscard]] bool fits(const integer& x) const {
-    return x >= lowest() && x < lowest() + count();
-  }
-  [[nodiscard]] integer wrapped(const integer& x) const {
-    return x - count() * reference::below(x - lowest(), count());
-  }
-};
-std::ostream& operator<<(std::ostream& out, const Type& type);
-
-enum class Fault { none, divide_error, overflow, domain_error };
-
 /// Whether an operation of overflow rule O throws for a fault.
 template <overflow O>
 bool throws_by(Fault fault) {
   return fault != Fault::none && O == overflow::trap;
 }
 
-/// The stored integer of one result, and its fault.
-struct Result {
-  integer raw;
-  Fault fault = Fault::none;
-};
-
-/// An exact result in units of the format, which a batch wraps where the type throws.
-Result narrowed(const Type& type, const integer& value, overflow rule);
-/// A sum of products of stored integers.
-Result product(const Type& type, const integer& sum);
-/// n / d, by the definition of every rule in fixed/policy.hpp.
-Result quotient(const Type& type, integer n, integer d);
 /// The first fault of several steps.
 Fault first(std::initializer_list<Fault> faults);
 

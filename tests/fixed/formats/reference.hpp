@@ -1,6 +1,9 @@
 /// \file
 /// The exact result of every operation in every format, by definition, from integers of 1,024 bits.
-/// Of fixed/ this header takes only the names of the rules.
+/// Of fixed/ this header takes only the names of the rules and errors.
+///
+/// What is expected of a number type is computed from a description of the type at run time, so
+/// that it is compiled once and not for each of dozens of types.
 #pragma once
 
 #if defined(__GNUC__) && !defined(__clang__)
@@ -12,9 +15,10 @@
 #pragma GCC diagnostic pop
 #endif
 #include <cstdint>
-#include <limits>
+#include <iosfwd>
 #include <optional>
-#include <random>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #include "fixed/error.hpp"
@@ -27,92 +31,90 @@ using integer = boost::multiprecision::number<
                                            boost::multiprecision::unchecked, void>,
     boost::multiprecision::et_off>;
 
-inline integer power(int base, int exponent) {
-  return boost::multiprecision::pow(integer(base), static_cast<unsigned>(exponent));
-}
-
-inline integer below(const integer& n, const integer& d) {
-  const integer quotient = n / d;
-  return quotient * d > n ? quotient - 1 : quotient;
-}
-
+integer power(int base, int exponent);
+/// n / d rounded down. \pre d > 0
+integer below(const integer& n, const integer& d);
 /// n / d rounded by the rule. \pre d > 0
-inline integer round(const integer& n, const integer& d, fixproof::rounding rule) {
-  using fixproof::rounding;
-  const integer low = below(n, d);
-  const integer twice = 2 * (n - low * d);
-  if (twice == 0) return low;
-  if (rule == rounding::floor) return low;
-  if (rule == rounding::truncate) return n < 0 ? low + 1 : low;
-  if (twice != d) return twice < d ? low : low + 1;
-  const bool up = rule == rounding::half_up || (rule == rounding::half_away && n > 0) ||
-                  (rule == rounding::half_even && low % 2 != 0);
-  return up ? low + 1 : low;
+integer round(const integer& n, const integer& d, fixproof::rounding rule);
+/// The nearest integer to sqrt(n). \pre n >= 0
+integer root(const integer& n);
+
+/// The stored integer of a number of any type, extended to 64 bits by its sign.
+using Word = std::uint64_t;
+template <class N>
+Word word_of(N x) {
+  return static_cast<Word>(x.raw());
 }
+template <class N>
+N number_of(Word word) {
+  return N::from_raw(static_cast<typename N::raw_type>(word));
+}
+
+/// A number type at run time.
+struct Type {
+  Type(std::size_t size, bool is_signed, int fraction_bits, const fixproof::policy& rules);
+  template <class N>
+  static Type of() {
+    return {sizeof(N), std::is_signed_v<typename N::raw_type>, N::fraction_bits, N::rules};
+  }
+
+  std::size_t size;
+  bool is_signed;
+  int fraction_bits;
+  fixproof::policy rules;
+  integer one;      ///< The stored integer of 1, which may be out of range.
+  integer count;    ///< Of stored integers.
+  integer lowest;   ///< Stored integer.
+  integer highest;  ///< Stored integer.
+
+  [[nodiscard]] int bits() const { return static_cast<int>(8 * size); }
+  [[nodiscard]] bool fits(const integer& x) const { return x >= lowest && x <= highest; }
+  [[nodiscard]] integer wrapped(const integer& x) const;
+  /// A stored integer from the low bits of `value`.
+  [[nodiscard]] Word word(std::uint64_t value) const;
+  /// \pre fits(x)
+  [[nodiscard]] Word stored(const integer& x) const;
+  [[nodiscard]] integer value(Word stored) const;
+};
+std::ostream& operator<<(std::ostream& out, const Type& type);
+
+enum class Fault { none, divide_error, overflow, domain_error };
+
+/// The stored integer of one result, and its fault.
+struct Result {
+  integer raw;
+  Fault fault = Fault::none;
+};
+
+/// An exact result in units of the type, wrapped if the rule throws.
+Result narrowed(const Type& type, const integer& value, fixproof::overflow rule);
+/// A sum of products of stored integers.
+Result product(const Type& type, const integer& sum);
+/// n / d, by the definition of every rule in fixed/policy.hpp.
+Result quotient(const Type& type, integer n, integer d);
 
 /// A stored integer, or nothing for an error.
-template <class N>
-using result = std::optional<integer>;
+using Returned = std::optional<integer>;
 
-/// The value of a stored integer by the overflow rule.
-template <class N>
-result<N> in_range(const integer& value, fixproof::overflow rule) {
-  using limits = std::numeric_limits<typename N::raw_type>;
-  const integer lowest = limits::min();
-  const integer highest = limits::max();
-  if (value >= lowest && value <= highest) return value;
-  if (rule == fixproof::overflow::trap) return std::nullopt;
-  if (rule == fixproof::overflow::saturate) return value < lowest ? lowest : highest;
-  const integer count = highest - lowest + 1;
-  return value - count * below(value - lowest, count);
-}
+/// What an operation returns that has this result and overflow rule.
+Returned returned(const Type& type, const Result& result, fixproof::overflow rule);
+/// An exact result in units of the type, under the rule.
+Returned in_range(const Type& type, const integer& value, fixproof::overflow rule);
+/// The same for products and quotients, under the rules of the type.
+Returned returned_product(const Type& type, const integer& sum);
+Returned returned_quotient(const Type& type, const integer& n, const integer& d);
 
-template <class N>
-integer raw(N x) {
-  return integer(x.raw());
-}
+/// Nothing if the outcome of a call on numbers of the type is as expected, or else both.
+std::string difference(const Type& type, const std::optional<Word>& got, const Returned& expected);
 
-template <class N>
-integer one() {
-  return power(2, N::fraction_bits);
-}
-
-template <class N>
-result<N> quotient(const integer& n, const integer& whole_divisor) {
-  using fixproof::divide_fault;
-  const integer zero = 0;
-  constexpr fixproof::overflow rule = N::rules.quotient_range();
-  constexpr divide_fault fault = N::rules.fault;
-  integer d = whole_divisor;
-  if (N::rules.divisor == fixproof::divisor_width::whole_part) d = d / one<N>() * one<N>();
-  if (d == 0) {
-    if (fault != divide_fault::none) return std::nullopt;
-    if (rule == fixproof::overflow::trap) return std::nullopt;
-    if (n == 0) return zero;
-    return in_range<N>(n < 0 ? -power(2, 100) : power(2, 100), fixproof::overflow::saturate);
-  }
-  const integer scaled = n * one<N>();
-  const integer magnitude = abs(scaled / d);
-  if (fault == divide_fault::unsigned_quotient && magnitude >= power(2, 8 * sizeof(N))) {
-    return std::nullopt;
-  }
-  const integer rounded =
-      d < 0 ? round(-scaled, -d, N::rules.divide) : round(scaled, d, N::rules.divide);
-  return in_range<N>(rounded,
-                     fault == divide_fault::signed_quotient ? fixproof::overflow::trap : rule);
-}
-
-/// The nearest integer to sqrt(n). \pre n >= 0
-inline integer root(const integer& n) {
-  const integer r = boost::multiprecision::sqrt(n);
-  return n - r * r > r ? r + 1 : r;
-}
+/// Stored integers and their type, for the message of a failure.
+std::string listed(const Type& type, const std::vector<Word>& words);
 
 /// The outcome of a call that may throw one of fixed's errors.
 template <class Call>
-std::optional<integer> outcome(const Call& call) {
+std::optional<std::invoke_result_t<Call>> outcome(const Call& call) {
   try {
-    return integer(call().raw());
+    return call();
   } catch (const fixproof::overflow_error&) {
   } catch (const fixproof::divide_error&) {
   } catch (const fixproof::domain_error&) {
@@ -122,27 +124,6 @@ std::optional<integer> outcome(const Call& call) {
 
 /// Stored integers at the edges: 0, the ends, powers of two with their neighbours, both signs; then
 /// random ones of every length.
-template <class N>
-std::vector<N> operands(int random_count) {
-  using raw = typename N::raw_type;
-  std::vector<N> values;
-  const auto add = [&values](std::uint64_t value) {
-    values.push_back(N::from_raw(static_cast<raw>(value)));
-  };
-  for (int bit = 0; bit < std::numeric_limits<std::make_unsigned_t<raw>>::digits;
-       bit += bit % 8 == 7 || bit % 8 == 6 ? 1 : 3) {
-    const std::uint64_t power = std::uint64_t{1} << bit;
-    for (const std::uint64_t value : {power - 1, power, power + 1}) {
-      add(value);
-      add(0 - value);
-    }
-  }
-  std::mt19937_64 random(19);
-  for (int i = 0; i < random_count; ++i) {
-    const std::uint64_t value = random() >> (random() % 64);
-    add(random() % 2 == 0 ? value : 0 - value);
-  }
-  return values;
-}
+std::vector<Word> operands(const Type& type, int random_count);
 
 }  // namespace reference
