@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
 
 #include "fixed/fixed.hpp"
@@ -23,9 +24,9 @@ using reference::word_of;
 const Type int64 = Type::of<fixproof::number<std::int64_t, 0>>();
 
 /// The operations on three numbers.
-enum class Op { add, subtract, negate, multiply, divide, less, equal, mul_add, lerp, dot };
-constexpr std::array names{"a + b", "a - b",  "-a",      "a * b", "a / b",
-                           "a < b", "a == b", "mul_add", "lerp",  "dot"};
+enum class Op { add, subtract, multiply, divide, less, equal, mul_add, lerp, dot };
+constexpr std::array names{"a + b",  "a - b",   "a * b", "a / b", "a < b",
+                           "a == b", "mul_add", "lerp",  "dot"};
 
 template <class N>
 Word call(Op op, Word x, Word y, Word z) {
@@ -34,7 +35,6 @@ Word call(Op op, Word x, Word y, Word z) {
   const auto c = number_of<N>(z);
   if (op == Op::add) return word_of(a + b);
   if (op == Op::subtract) return word_of(a - b);
-  if (op == Op::negate) return word_of(-a);
   if (op == Op::multiply) return word_of(a * b);
   if (op == Op::divide) return word_of(a / b);
   if (op == Op::less) return a < b;
@@ -50,7 +50,6 @@ Returned expected(Op op, const Type& type, const integer& x, const integer& y, c
   const auto sum = [&](const integer& value) { return in_range(type, value, type.rules.range); };
   if (op == Op::add) return sum(x + y);
   if (op == Op::subtract) return sum(x - y);
-  if (op == Op::negate) return sum(-x);
   if (op == Op::multiply) return returned_product(type, x * y);
   if (op == Op::divide) return returned_quotient(type, x, y);
   if (op == Op::less) return integer(x < y ? 1 : 0);
@@ -63,13 +62,14 @@ Returned expected(Op op, const Type& type, const integer& x, const integer& y, c
 }
 
 /// The functions of one number.
-enum class Function { floor, trunc, round, ceil, abs, sqrt, to_int64 };
-constexpr std::array function_names{"floor", "trunc", "round",           "ceil",
-                                    "abs",   "sqrt",  "operator int64_t"};
+enum class Function { negate, floor, trunc, round, ceil, abs, sqrt, to_int64 };
+constexpr std::array function_names{"-a",   "floor", "trunc", "round",
+                                    "ceil", "abs",   "sqrt",  "operator int64_t"};
 
 template <class N>
 Word call(Function function, Word x) {
   const auto a = number_of<N>(x);
+  if (function == Function::negate) return word_of(-a);
   if (function == Function::floor) return word_of(floor(a));
   if (function == Function::trunc) return word_of(trunc(a));
   if (function == Function::round) return word_of(fixproof::round(a));
@@ -86,6 +86,7 @@ Returned expected(Function function, const Type& type, const integer& x) {
     return in_type(reference::round(x, type.one, rule) * type.one);
   };
   const bool to_nearest = rules.multiply != rounding::floor && rules.multiply != rounding::truncate;
+  if (function == Function::negate) return in_type(-x);
   if (function == Function::floor) return whole(rounding::floor);
   if (function == Function::trunc) return whole(rounding::truncate);
   if (function == Function::round) return whole(to_nearest ? rules.multiply : rounding::half_up);
@@ -143,15 +144,14 @@ std::string first_wrong(const Calls& calls, Word a) {
 }
 
 /// The operations of a number and an integer.
-enum class Mixed { conversion, add, subtract, subtract_from, multiply, divide, less, equal, more };
-constexpr std::array mixed_names{"conversion", "a + i", "a - i",  "i - a", "i * a",
-                                 "a / i",      "a < i", "a == i", "i < a"};
+enum class Mixed { add, subtract, subtract_from, multiply, divide, less, equal, more };
+constexpr std::array mixed_names{"a + i", "a - i", "i - a",  "i * a",
+                                 "a / i", "a < i", "a == i", "i < a"};
 
 template <class N, class Int>
 Word call(Mixed op, Word x, Word y) {
   const auto a = number_of<N>(x);
   const auto i = static_cast<Int>(y);
-  if (op == Mixed::conversion) return word_of(N(i));
   if (op == Mixed::add) return word_of(a + i);
   if (op == Mixed::subtract) return word_of(a - i);
   if (op == Mixed::subtract_from) return word_of(i - a);
@@ -165,7 +165,6 @@ Word call(Mixed op, Word x, Word y) {
 Returned expected(Mixed op, const Type& type, const integer& x, const integer& i) {
   const integer y = i * type.one;
   const auto sum = [&](const integer& value) { return in_range(type, value, type.rules.range); };
-  if (op == Mixed::conversion) return sum(y);
   if (op == Mixed::add) return sum(x + y);
   if (op == Mixed::subtract) return sum(x - y);
   if (op == Mixed::subtract_from) return sum(y - x);
@@ -180,10 +179,12 @@ Returned expected(Mixed op, const Type& type, const integer& x, const integer& i
 struct MixedCalls {
   Type integers;
   Word (*call)(Mixed op, Word a, Word i);
+  Word (*converted)(Word i);
 
   template <class N, class Int>
   static MixedCalls of() {
-    return {Type::of<fixproof::number<Int, 0>>(), ::call<N, Int>};
+    return {Type::of<fixproof::number<Int, 0>>(), ::call<N, Int>,
+            [](Word i) { return word_of(N(static_cast<Int>(i))); }};
   }
 };
 
@@ -251,6 +252,7 @@ void every_triple_of_ends(const Calls& calls) {
   const Word highest = type.stored(type.highest);
   const std::array ends{Word{1}, lowest, highest, Word{0}, lowest + 1, highest - 1};
   for (const Word a : ends) {
+    ASSERT_EQ(first_wrong(calls, a), "") << listed(type, {a});
     for (const Word b : ends) {
       for (const Word c : ends) {
         ASSERT_EQ(first_wrong(calls, a, b, c), "") << listed(type, {a, b, c});
@@ -262,14 +264,21 @@ void every_triple_of_ends(const Calls& calls) {
     formats::test_each<formats::wide>("WideFormats", "EveryTripleOfEnds", every_triple_of_ends);
 
 void integers(const IntegerCalls& calls) {
+  const Type& type = calls.type;
   const auto some_integers = reference::operands(int64, 30);
   for (const MixedCalls& with : calls.with) {
     // Many are equal as short integers.
     std::set<Word> distinct;
     for (const Word i : some_integers) distinct.insert(with.integers.word(i));
-    for (const Word a : reference::operands(calls.type, 30)) {
+    for (const Word i : distinct) {
+      const auto got = reference::outcome([&] { return with.converted(i); });
+      const integer y = with.integers.value(i);
+      ASSERT_EQ(difference(type, got, in_range(type, y * type.one, type.rules.range)), "")
+          << "of the integer " << y << " as a number of " << type;
+    }
+    for (const Word a : reference::operands(type, 30)) {
       for (const Word i : distinct) {
-        ASSERT_EQ(first_wrong(calls.type, with, a, i), "") << listed(calls.type, {a});
+        ASSERT_EQ(first_wrong(type, with, a, i), "") << listed(type, {a});
       }
     }
   }

@@ -8,10 +8,6 @@ namespace reference {
 
 using fixproof::overflow;
 
-integer power(int base, int exponent) {
-  return boost::multiprecision::pow(integer(base), static_cast<unsigned>(exponent));
-}
-
 integer below(const integer& n, const integer& d) {
   const integer quotient = n / d;
   return quotient * d > n ? quotient - 1 : quotient;
@@ -31,7 +27,7 @@ integer round(const integer& n, const integer& d, fixproof::rounding rule) {
 }
 
 integer root(const integer& n) {
-  const integer r = boost::multiprecision::sqrt(n);
+  const integer r = floor_root(n);
   return n - r * r > r ? r + 1 : r;
 }
 

@@ -6,14 +6,6 @@
 /// that it is compiled once and not for each of dozens of types.
 #pragma once
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <boost/multiprecision/cpp_int.hpp>
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
@@ -23,15 +15,10 @@
 
 #include "fixed/error.hpp"
 #include "fixed/policy.hpp"
+#include "tests/fixed/formats/integer.hpp"
 
 namespace reference {
 
-using integer = boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<1024, 1024, boost::multiprecision::signed_magnitude,
-                                           boost::multiprecision::unchecked, void>,
-    boost::multiprecision::et_off>;
-
-integer power(int base, int exponent);
 /// n / d rounded down. \pre d > 0
 integer below(const integer& n, const integer& d);
 /// n / d rounded by the rule. \pre d > 0
