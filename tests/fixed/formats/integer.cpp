@@ -36,8 +36,8 @@ struct integer::Access {
   }
   // NOLINTEND(*-reinterpret-cast)
   static integer from(const Number& number) {
-    integer x;
-    of(x) = number;
+    integer x{Nothing()};
+    std::construct_at(place(x), number);
     return x;
   }
 };

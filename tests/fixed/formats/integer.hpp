@@ -60,6 +60,8 @@ class integer {
 
  private:
   struct Access;
+  struct Nothing {};
+  explicit integer(Nothing /*yet*/) {}  // NOLINT(*-member-init)
   integer(bool negative, std::uint64_t magnitude);
   [[nodiscard]] std::uint64_t low_bits() const;
   [[nodiscard]] int compare(const integer& b) const;

@@ -1,5 +1,6 @@
 #include "tests/fixed/formats/reference.hpp"
 
+#include <algorithm>
 #include <ostream>
 #include <random>
 #include <sstream>
@@ -124,6 +125,13 @@ std::string difference(const Type& type, const std::optional<Word>& got, const R
   return text(value) + ", expected " + text(expected);
 }
 
+std::string with_point(std::string digits, int places) {
+  if (places == 0) return digits;
+  const auto count = static_cast<std::size_t>(places);
+  if (digits.size() <= count) digits.insert(0, count + 1 - digits.size(), '0');
+  return digits.insert(digits.size() - count, ".");
+}
+
 std::string listed(const Type& type, const std::vector<Word>& words) {
   std::ostringstream text;
   text << "stored integers";
@@ -147,6 +155,13 @@ std::vector<Word> operands(const Type& type, int random_count) {
     const std::uint64_t value = random() >> (random() % 64);
     add(random() % 2 == 0 ? value : 0 - value);
   }
+  return values;
+}
+
+std::vector<Word> distinct_operands(const Type& type, int random_count) {
+  std::vector<Word> values = operands(type, random_count);
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 

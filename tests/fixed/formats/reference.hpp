@@ -94,6 +94,9 @@ Returned returned_quotient(const Type& type, const integer& n, const integer& d)
 /// Nothing if the outcome of a call on numbers of the type is as expected, or else both.
 std::string difference(const Type& type, const std::optional<Word>& got, const Returned& expected);
 
+/// The digits with a point before the last `places` of them.
+std::string with_point(std::string digits, int places);
+
 /// Stored integers and their type, for the message of a failure.
 std::string listed(const Type& type, const std::vector<Word>& words);
 
@@ -112,5 +115,7 @@ std::optional<std::invoke_result_t<Call>> outcome(const Call& call) {
 /// Stored integers at the edges: 0, the ends, powers of two with their neighbours, both signs; then
 /// random ones of every length.
 std::vector<Word> operands(const Type& type, int random_count);
+/// The same without repetitions, for tests of all pairs.
+std::vector<Word> distinct_operands(const Type& type, int random_count);
 
 }  // namespace reference
