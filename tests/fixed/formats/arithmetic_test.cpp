@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
 
 #include "fixed/fixed.hpp"
@@ -15,283 +16,276 @@ namespace {
 using fixproof::overflow;
 using fixproof::rounding;
 using reference::integer;
+using reference::number_of;
+using reference::Returned;
 using reference::Type;
-using reference::word;
+using reference::Word;
+using reference::word_of;
 
-enum class Operation {
-  plus,
-  minus,
-  negate,
-  times,
-  divide,
-  compare,
-  mul_add,
-  lerp,
-  dot,
-  floor,
-  trunc,
-  round,
-  ceil,
-  abs,
-  sqrt,
-  to_integer,
-};
+const Type int64 = Type::of<fixproof::number<std::int64_t, 0>>();
 
-/// The stored integer of a result, as a word. One function for all operations compiles faster than
-/// one for each.
+/// The operations on three numbers.
+enum class Op { add, subtract, multiply, divide, less, equal, mul_add, lerp, dot };
+constexpr std::array names{"a + b",  "a - b",   "a * b", "a / b", "a < b",
+                           "a == b", "mul_add", "lerp",  "dot"};
+
 template <class N>
-std::uint64_t computed(Operation operation, const std::array<std::uint64_t, 3>& words) {
-  const N a = reference::number<N>(words[0]);
-  const N b = reference::number<N>(words[1]);
-  const N c = reference::number<N>(words[2]);
-  switch (operation) {
-    case Operation::plus:
-      return word(a + b);
-    case Operation::minus:
-      return word(a - b);
-    case Operation::negate:
-      return word(-a);
-    case Operation::times:
-      return word(a * b);
-    case Operation::divide:
-      return word(a / b);
-    case Operation::compare:
-      return static_cast<std::uint64_t>((a < b) + 2 * (a == b));
-    case Operation::mul_add:
-      return word(mul_add(a, b, c));
-    case Operation::lerp:
-      return word(lerp(a, b, c));
-    case Operation::dot:
-      return word(dot(std::array{a, b, c}, std::array{c, a, c}));
-    case Operation::floor:
-      return word(floor(a));
-    case Operation::trunc:
-      return word(trunc(a));
-    case Operation::round:
-      return word(fixproof::round(a));
-    case Operation::ceil:
-      return word(ceil(a));
-    case Operation::abs:
-      return word(fixproof::abs(a));
-    case Operation::sqrt:
-      return word(sqrt(a));
-    case Operation::to_integer:
-      return static_cast<std::uint64_t>(static_cast<std::int64_t>(a));
-  }
-  return 0;
+Word call(Op op, Word x, Word y, Word z) {
+  const auto a = number_of<N>(x);
+  const auto b = number_of<N>(y);
+  const auto c = number_of<N>(z);
+  if (op == Op::add) return word_of(a + b);
+  if (op == Op::subtract) return word_of(a - b);
+  if (op == Op::multiply) return word_of(a * b);
+  if (op == Op::divide) return word_of(a / b);
+  if (op == Op::less) return a < b;
+  if (op == Op::equal) return a == b;
+  if (op == Op::mul_add) return word_of(mul_add(a, b, c));
+  if (op == Op::lerp) return word_of(lerp(a, b, c));
+  const std::array<N, 3> left{a, b, c};
+  const std::array<N, 3> right{c, a, c};
+  return word_of(dot(left, right));
 }
 
-enum class WithInteger { conversion, plus, minus, minus_a, times_a, divide, compare };
-
-/// The same for a number and an integer.
-template <class N, class Int>
-std::uint64_t computed_with(WithInteger operation, std::uint64_t number, std::uint64_t word_of_i) {
-  const N a = reference::number<N>(number);
-  const auto i = static_cast<Int>(word_of_i);
-  switch (operation) {
-    case WithInteger::conversion:
-      return word(N(i));
-    case WithInteger::plus:
-      return word(a + i);
-    case WithInteger::minus:
-      return word(a - i);
-    case WithInteger::minus_a:
-      return word(i - a);
-    case WithInteger::times_a:
-      return word(i * a);
-    case WithInteger::divide:
-      return word(a / i);
-    case WithInteger::compare:
-      return static_cast<std::uint64_t>((a < i) + 2 * (a == i) + 4 * (i < a));
+Returned expected(Op op, const Type& type, const integer& x, const integer& y, const integer& z) {
+  const auto sum = [&](const integer& value) { return in_range(type, value, type.rules.range); };
+  if (op == Op::add) return sum(x + y);
+  if (op == Op::subtract) return sum(x - y);
+  if (op == Op::multiply) return returned_product(type, x * y);
+  if (op == Op::divide) return returned_quotient(type, x, y);
+  if (op == Op::less) return integer(x < y ? 1 : 0);
+  if (op == Op::equal) return integer(x == y ? 1 : 0);
+  if (op == Op::mul_add) return returned_product(type, x * y + z * type.one);
+  if (op == Op::lerp) {
+    return sum(reference::round(x * type.one + (y - x) * z, type.one, type.rules.multiply));
   }
-  return 0;
+  return returned_product(type, x * z + y * x + z * z);
 }
 
-/// An integer type, and what its operators with a number type compute.
-struct IntegerType {
-  Type type;
-  std::uint64_t (*compute)(WithInteger operation, std::uint64_t number, std::uint64_t integer);
-};
+/// The functions of one number.
+enum class Function { negate, floor, trunc, round, ceil, abs, sqrt, to_int64 };
+constexpr std::array function_names{"-a",   "floor", "trunc", "round",
+                                    "ceil", "abs",   "sqrt",  "operator int64_t"};
 
-/// A number type with its operations.
-struct Format {
+template <class N>
+Word call(Function function, Word x) {
+  const auto a = number_of<N>(x);
+  if (function == Function::negate) return word_of(-a);
+  if (function == Function::floor) return word_of(floor(a));
+  if (function == Function::trunc) return word_of(trunc(a));
+  if (function == Function::round) return word_of(fixproof::round(a));
+  if (function == Function::ceil) return word_of(ceil(a));
+  if (function == Function::abs) return word_of(fixproof::abs(a));
+  if (function == Function::sqrt) return word_of(sqrt(a));
+  return static_cast<Word>(static_cast<std::int64_t>(a));
+}
+
+Returned expected(Function function, const Type& type, const integer& x) {
+  const fixproof::policy& rules = type.rules;
+  const auto in_type = [&](const integer& value) { return in_range(type, value, rules.range); };
+  const auto whole = [&](rounding rule) {
+    return in_type(reference::round(x, type.one, rule) * type.one);
+  };
+  const bool to_nearest = rules.multiply != rounding::floor && rules.multiply != rounding::truncate;
+  if (function == Function::negate) return in_type(-x);
+  if (function == Function::floor) return whole(rounding::floor);
+  if (function == Function::trunc) return whole(rounding::truncate);
+  if (function == Function::round) return whole(to_nearest ? rules.multiply : rounding::half_up);
+  if (function == Function::ceil) return in_type(-reference::below(-x, type.one) * type.one);
+  if (function == Function::abs) return in_type(x < 0 ? -x : x);
+  if (function == Function::sqrt) {
+    const bool traps = rules.range == fixproof::overflow::trap;
+    if (x < 0) return traps ? Returned() : integer(0);
+    // Roots saturate under policies that wrap.
+    return in_range(type, reference::root(x * type.one),
+                    traps ? fixproof::overflow::trap : fixproof::overflow::saturate);
+  }
+  return in_range(int64, reference::round(x, type.one, rounding::truncate),
+                  fixproof::overflow::wrap);
+}
+
+/// The operations of one type.
+struct Calls {
   Type type;
-  std::uint64_t (*compute)(Operation operation, const std::array<std::uint64_t, 3>& words);
-  std::array<IntegerType, 3> integers;
+  Word (*on_three)(Op op, Word a, Word b, Word c);
+  Word (*on_one)(Function function, Word a);
 
   template <class N>
-  static Format of() {
-    return {Type::of<N>(),
-            computed<N>,
-            {with<N, std::int64_t>(), with<N, std::uint64_t>(), with<N, std::int16_t>()}};
-  }
-  template <class N, class Int>
-  static IntegerType with() {
-    return {Type::of<fixproof::number<Int, 0>>(), computed_with<N, Int>};
+  static Calls of() {
+    return {Type::of<N>(), call<N>, call<N>};
   }
 };
 
-/// Whether an operation has another outcome.
-bool differs(const Format& format, Operation operation, const std::array<std::uint64_t, 3>& words,
-             const reference::result& expected) {
-  return reference::outcome_of([&] { return format.type.raw(format.compute(operation, words)); }) !=
-         expected;
-}
-
-/// The name of the first operation on three numbers with a wrong result, or nothing.
-std::string first_wrong(const Format& format, const std::array<std::uint64_t, 3>& words) {
-  const Type& type = format.type;
-  const fixproof::policy& rules = type.rules;
-  const integer one = type.one();
-  const integer x = type.raw(words[0]);
-  const integer y = type.raw(words[1]);
-  const integer z = type.raw(words[2]);
-  const auto sum = [&](const integer& value) { return in_range(type, value, rules.range); };
-  const auto product = [&](const integer& value) {
-    return in_range(type, reference::round(value, one, rules.multiply), rules.product_range());
-  };
-  const auto wrong = [&](Operation operation, const reference::result& expected) {
-    return differs(format, operation, words, expected);
-  };
-  if (wrong(Operation::plus, sum(x + y))) return "a + b";
-  if (wrong(Operation::minus, sum(x - y))) return "a - b";
-  if (wrong(Operation::negate, sum(-x))) return "-a";
-  if (wrong(Operation::times, product(x * y))) return "a * b";
-  if (wrong(Operation::divide, quotient(type, x, y))) return "a / b";
-  if (wrong(Operation::compare, integer((x < y) + 2 * (x == y)))) return "a <=> b";
-  if (wrong(Operation::mul_add, product(x * y + z * one))) return "mul_add";
-  const integer blend = reference::round(x * one + (y - x) * z, one, rules.multiply);
-  if (wrong(Operation::lerp, sum(blend))) return "lerp";
-  if (wrong(Operation::dot, product(x * z + y * x + z * z))) return "dot";
+/// The first operation on a, b and c with a wrong result, or nothing.
+std::string first_wrong(const Calls& calls, Word a, Word b, Word c) {
+  const Type& type = calls.type;
+  const integer x = type.value(a);
+  const integer y = type.value(b);
+  const integer z = type.value(c);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto op = static_cast<Op>(i);
+    const auto got = reference::outcome([&] { return calls.on_three(op, a, b, c); });
+    const std::string wrong = difference(type, got, expected(op, type, x, y, z));
+    if (!wrong.empty()) return names[i] + (" is " + wrong);
+  }
   return {};
 }
 
 /// The same for functions of one number.
-std::string first_wrong(const Format& format, std::uint64_t word) {
-  const Type& type = format.type;
-  const fixproof::policy& rules = type.rules;
-  const integer one = type.one();
-  const integer x = type.raw(word);
-  const auto whole = [&](rounding rule) {
-    return in_range(type, reference::round(x, one, rule) * one, rules.range);
-  };
-  const auto wrong = [&](Operation operation, const reference::result& expected) {
-    return differs(format, operation, {word, 0, 0}, expected);
-  };
-  const bool to_nearest = rules.multiply != rounding::floor && rules.multiply != rounding::truncate;
-  if (wrong(Operation::floor, whole(rounding::floor))) return "floor";
-  if (wrong(Operation::trunc, whole(rounding::truncate))) return "trunc";
-  if (wrong(Operation::round, whole(to_nearest ? rules.multiply : rounding::half_up)))
-    return "round";
-  const auto ceiling = in_range(type, -reference::below(-x, one) * one, rules.range);
-  if (wrong(Operation::ceil, ceiling)) return "ceil";
-  if (wrong(Operation::abs, in_range(type, x < 0 ? -x : x, rules.range))) return "abs";
-  reference::result expected = integer(0);
-  // Roots saturate under policies that wrap.
-  const bool traps = rules.range == overflow::trap;
-  if (x >= 0) {
-    expected =
-        in_range(type, reference::root(x * one), traps ? overflow::trap : overflow::saturate);
+std::string first_wrong(const Calls& calls, Word a) {
+  const integer x = calls.type.value(a);
+  for (std::size_t i = 0; i < function_names.size(); ++i) {
+    const auto function = static_cast<Function>(i);
+    const Type& type = function == Function::to_int64 ? int64 : calls.type;
+    const auto got = reference::outcome([&] { return calls.on_one(function, a); });
+    const std::string wrong = difference(type, got, expected(function, calls.type, x));
+    if (!wrong.empty()) return function_names[i] + (" is " + wrong);
   }
-  if (x < 0 && traps) expected = std::nullopt;
-  if (wrong(Operation::sqrt, expected)) return "sqrt";
-  const std::uint64_t to_integer = format.compute(Operation::to_integer, {word, 0, 0});
-  const Type words = Type::of<fixproof::number<std::uint64_t, 0>>();
-  if (integer(to_integer) != words.wrapped(reference::round(x, one, rounding::truncate)))
-    return "operator int64_t";
   return {};
 }
+
+/// The operations of a number and an integer.
+enum class Mixed { add, subtract, subtract_from, multiply, divide, less, equal, more };
+constexpr std::array mixed_names{"a + i", "a - i", "i - a",  "i * a",
+                                 "a / i", "a < i", "a == i", "i < a"};
+
+template <class N, class Int>
+Word call(Mixed op, Word x, Word y) {
+  const auto a = number_of<N>(x);
+  const auto i = static_cast<Int>(y);
+  if (op == Mixed::add) return word_of(a + i);
+  if (op == Mixed::subtract) return word_of(a - i);
+  if (op == Mixed::subtract_from) return word_of(i - a);
+  if (op == Mixed::multiply) return word_of(i * a);
+  if (op == Mixed::divide) return word_of(a / i);
+  if (op == Mixed::less) return a < i;
+  if (op == Mixed::equal) return a == i;
+  return i < a;
+}
+
+Returned expected(Mixed op, const Type& type, const integer& x, const integer& i) {
+  const integer y = i * type.one;
+  const auto sum = [&](const integer& value) { return in_range(type, value, type.rules.range); };
+  if (op == Mixed::add) return sum(x + y);
+  if (op == Mixed::subtract) return sum(x - y);
+  if (op == Mixed::subtract_from) return sum(y - x);
+  if (op == Mixed::multiply) return in_range(type, x * i, type.rules.product_range());
+  if (op == Mixed::divide) return returned_quotient(type, x, y);
+  if (op == Mixed::less) return integer(x < y ? 1 : 0);
+  if (op == Mixed::equal) return integer(x == y ? 1 : 0);
+  return integer(y < x ? 1 : 0);
+}
+
+/// The operations of one type with integers of another.
+struct MixedCalls {
+  Type integers;
+  Word (*call)(Mixed op, Word a, Word i);
+  Word (*converted)(Word i);
+
+  template <class N, class Int>
+  static MixedCalls of() {
+    return {Type::of<fixproof::number<Int, 0>>(), ::call<N, Int>,
+            [](Word i) { return word_of(N(static_cast<Int>(i))); }};
+  }
+};
+
+/// Those of one type with each type of integers.
+struct IntegerCalls {
+  Type type;
+  std::array<MixedCalls, 3> with;
+
+  template <class N>
+  static IntegerCalls of() {
+    return {Type::of<N>(),
+            {MixedCalls::of<N, std::int64_t>(), MixedCalls::of<N, std::uint64_t>(),
+             MixedCalls::of<N, std::int16_t>()}};
+  }
+};
 
 /// The same for a number and an integer.
-std::string first_wrong(const Format& format, const IntegerType& with, std::uint64_t number,
-                        std::uint64_t word) {
-  const Type& type = format.type;
-  const fixproof::policy& rules = type.rules;
-  const integer x = type.raw(number);
-  // Low bits, as a conversion to the integer type leaves them.
-  const integer i = with.type.wrapped(integer(word));
-  const integer y = i * type.one();
-  const auto sum = [&](const integer& value) { return in_range(type, value, rules.range); };
-  const auto wrong = [&](WithInteger operation, const reference::result& expected) {
-    return reference::outcome_of([&] { return type.raw(with.compute(operation, number, word)); }) !=
-           expected;
-  };
-  if (wrong(WithInteger::conversion, sum(y))) return "conversion";
-  if (wrong(WithInteger::plus, sum(x + y))) return "a + i";
-  if (wrong(WithInteger::minus, sum(x - y))) return "a - i";
-  if (wrong(WithInteger::minus_a, sum(y - x))) return "i - a";
-  if (wrong(WithInteger::times_a, in_range(type, x * i, rules.product_range()))) return "i * a";
-  if (wrong(WithInteger::divide, quotient(type, x, y))) return "a / i";
-  if (wrong(WithInteger::compare, integer((x < y) + 2 * (x == y) + 4 * (y < x)))) return "a <=> i";
+std::string first_wrong(const Type& type, const MixedCalls& calls, Word a, Word i) {
+  const integer x = type.value(a);
+  const integer y = calls.integers.value(i);
+  for (std::size_t k = 0; k < mixed_names.size(); ++k) {
+    const auto op = static_cast<Mixed>(k);
+    const auto got = reference::outcome([&] { return calls.call(op, a, i); });
+    const std::string wrong = difference(type, got, expected(op, type, x, y));
+    if (!wrong.empty()) return mixed_names[k] + (" is " + wrong + ", i = " + y.str());
+  }
   return {};
 }
 
-/// A number for messages.
-std::string text(const Format& format, std::uint64_t word) {
-  return "raw " + format.type.raw(word).str();
-}
-std::string text(const Format& format, const std::array<std::uint64_t, 3>& words) {
-  return text(format, words[0]) + ", " + text(format, words[1]) + ", " + text(format, words[2]);
-}
-
-const auto narrow = each_type::all<Format>(formats::narrow());
-const auto wide = each_type::all<Format>(formats::wide());
-
-TEST_OF_EACH(NarrowFormats, EveryPair, Format, narrow) {
-  for (std::uint64_t i = 0; i < 256; ++i) {
-    const std::uint64_t a = type.type.extended(i);
-    ASSERT_EQ(first_wrong(type, a), "") << text(type, a);
-    for (std::uint64_t k = 0; k < 256; ++k) {
-      const std::array words{a, type.type.extended(k), type.type.extended(i * 7 + k * 3)};
-      ASSERT_EQ(first_wrong(type, words), "") << text(type, words);
+void every_pair(const Calls& calls) {
+  const Type& type = calls.type;
+  const auto lowest = static_cast<int>(type.lowest);
+  const auto highest = static_cast<int>(type.highest);
+  const auto word = [&](int value) { return type.word(static_cast<Word>(value)); };
+  for (int i = lowest; i <= highest; ++i) {
+    const Word a = word(i);
+    ASSERT_EQ(first_wrong(calls, a), "") << listed(type, {a});
+    for (int k = lowest; k <= highest; ++k) {
+      const Word b = word(k);
+      const Word c = word(i * 7 + k * 3);
+      ASSERT_EQ(first_wrong(calls, a, b, c), "") << listed(type, {a, b, c});
     }
   }
 }
+[[maybe_unused]] const bool narrow_pairs =
+    formats::test_each<formats::narrow>("NarrowFormats", "EveryPair", every_pair);
 
-/// Words whose bits above the type's are those of its sign.
-std::vector<std::uint64_t> operands(const Type& type, int random_count) {
-  std::vector<std::uint64_t> all = reference::words(type.bits(), random_count);
-  for (std::uint64_t& word : all) word = type.extended(word);
-  return all;
-}
-
-TEST_OF_EACH(WideFormats, EdgesAndRandomNumbers, Format, wide) {
-  const auto values = operands(type.type, 60);
+void edges_and_random_numbers(const Calls& calls) {
+  const auto values = reference::operands(calls.type, 60);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    ASSERT_EQ(first_wrong(type, values[i]), "") << text(type, values[i]);
+    ASSERT_EQ(first_wrong(calls, values[i]), "") << listed(calls.type, {values[i]});
     for (std::size_t k = 0; k < values.size(); ++k) {
-      const std::array words{values[i], values[k], values[(i * 7 + k * 3) % values.size()]};
-      ASSERT_EQ(first_wrong(type, words), "") << text(type, words);
+      const Word c = values[(i * 7 + k * 3) % values.size()];
+      ASSERT_EQ(first_wrong(calls, values[i], values[k], c), "")
+          << listed(calls.type, {values[i], values[k], c});
     }
   }
 }
+[[maybe_unused]] const bool wide_edges = formats::test_each<formats::wide>(
+    "WideFormats", "EdgesAndRandomNumbers", edges_and_random_numbers);
 
-TEST_OF_EACH(WideFormats, EveryTripleOfEnds, Format, wide) {
-  const std::uint64_t top = std::uint64_t{1} << (type.type.bits() - 1);
-  const std::uint64_t lowest = type.type.is_signed ? type.type.extended(top) : 0;
-  const std::uint64_t highest = type.type.is_signed ? top - 1 : top - 1 + top;
-  const std::array ends{lowest, highest, std::uint64_t{0}, lowest + 1, highest - 1};
-  for (const std::uint64_t a : ends) {
-    for (const std::uint64_t b : ends) {
-      for (const std::uint64_t c : ends) {
-        const std::array words{a, b, c};
-        ASSERT_EQ(first_wrong(type, words), "") << text(type, words);
+void every_triple_of_ends(const Calls& calls) {
+  const Type& type = calls.type;
+  const Word lowest = type.stored(type.lowest);
+  const Word highest = type.stored(type.highest);
+  const std::array ends{Word{1}, lowest, highest, Word{0}, lowest + 1, highest - 1};
+  for (const Word a : ends) {
+    ASSERT_EQ(first_wrong(calls, a), "") << listed(type, {a});
+    for (const Word b : ends) {
+      for (const Word c : ends) {
+        ASSERT_EQ(first_wrong(calls, a, b, c), "") << listed(type, {a, b, c});
       }
     }
   }
 }
+[[maybe_unused]] const bool wide_ends =
+    formats::test_each<formats::wide>("WideFormats", "EveryTripleOfEnds", every_triple_of_ends);
 
-TEST_OF_EACH(WideFormats, Integers, Format, wide) {
-  const auto some_integers = reference::words(64, 30);
-  for (const std::uint64_t a : operands(type.type, 30)) {
-    for (const std::uint64_t i : some_integers) {
-      for (const IntegerType& with : type.integers) {
-        ASSERT_EQ(first_wrong(type, with, a, i), "")
-            << text(type, a) << ", " << with.type.wrapped(integer(i));
+void integers(const IntegerCalls& calls) {
+  const Type& type = calls.type;
+  const auto some_integers = reference::operands(int64, 30);
+  for (const MixedCalls& with : calls.with) {
+    // Many are equal as short integers.
+    std::set<Word> distinct;
+    for (const Word i : some_integers) distinct.insert(with.integers.word(i));
+    for (const Word i : distinct) {
+      const auto got = reference::outcome([&] { return with.converted(i); });
+      const integer y = with.integers.value(i);
+      ASSERT_EQ(difference(type, got, in_range(type, y * type.one, type.rules.range)), "")
+          << "of the integer " << y << " as a number of " << type;
+    }
+    for (const Word a : reference::distinct_operands(type, 30)) {
+      for (const Word i : distinct) {
+        ASSERT_EQ(first_wrong(type, with, a, i), "") << listed(type, {a});
       }
     }
   }
 }
+[[maybe_unused]] const bool wide_integers =
+    formats::test_each<formats::wide>("WideFormats", "Integers", integers);
 
 // The policy of products decides whether mul_add throws.
 constexpr fixproof::policy products_throw{.products = fixproof::overflow::trap};

@@ -2,43 +2,6 @@
 
 namespace batch_formats {
 
-Result narrowed(const Type& type, const integer& value, overflow rule) {
-  if (type.fits(value)) return {value};
-  if (rule == overflow::wrap) return {type.wrapped(value)};
-  if (rule == overflow::trap) return {type.wrapped(value), Fault::overflow};
-  return {value < 0 ? type.lowest() : type.lowest() + type.count() - 1, Fault::overflow};
-}
-
-Result product(const Type& type, const integer& sum) {
-  return narrowed(type, reference::round(sum, type.one(), type.rules.multiply),
-                  type.rules.product_range());
-}
-
-Result quotient(const Type& type, integer n, integer d) {
-  using fixproof::divide_fault;
-  if (type.rules.divisor == fixproof::divisor_width::whole_part) {
-    d /= type.one();
-  } else {
-    n *= type.one();
-  }
-  if (d == 0) {
-    const integer far = n < 0 ? -type.count() : type.count();
-    return {n == 0 ? n : narrowed(type, far, overflow::saturate).raw, Fault::divide_error};
-  }
-  if (d < 0) {
-    n = -n;
-    d = -d;
-  }
-  const integer value = reference::round(n, d, type.rules.divide);
-  Result result = narrowed(type, value, type.rules.quotient_range());
-  const divide_fault rule = type.rules.fault;
-  if ((rule == divide_fault::unsigned_quotient && (n < 0 ? -n : n) / d >= type.count()) ||
-      (rule == divide_fault::signed_quotient && !type.fits(value))) {
-    result.fault = Fault::divide_error;
-  }
-  return result;
-}
-
 Fault first(std::initializer_list<Fault> faults) {
   for (const Fault fault : faults) {
     if (fault != Fault::none) return fault;
@@ -56,12 +19,13 @@ std::vector<path> paths() {
 
 std::vector<integer> operands(const Type& type, std::size_t count, unsigned seed) {
   // Of every length, so that the products and quotients of some are in range.
-  const auto edges = reference::operands<fixproof::number<std::int64_t, 0>>(60);
+  const auto wide = Type::of<fixproof::number<std::int64_t, 0>>();
+  const auto edges = reference::operands(wide, 60);
   std::mt19937 random(seed);
   std::vector<integer> all;
   while (all.size() < count) {
-    const integer edge = edges[random() % edges.size()].raw();
-    all.push_back(type.wrapped(random() % 3 == 0 ? type.lowest() + edge % 3 : edge));
+    const integer edge = wide.value(edges[random() % edges.size()]);
+    all.push_back(type.wrapped(random() % 3 == 0 ? type.lowest + edge % 3 : edge));
   }
   return all;
 }

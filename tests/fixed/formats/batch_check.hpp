@@ -18,7 +18,12 @@ namespace batch_formats {
 using fixproof::overflow;
 using fixproof::policy;
 using fixproof::batch::path;
+using reference::Fault;
 using reference::integer;
+using reference::narrowed;
+using reference::product;
+using reference::quotient;
+using reference::Result;
 using reference::Type;
 
 /// A projection may have a divide error in one coordinate while the other only overflows.
@@ -87,26 +92,12 @@ void under(const Check& check) {
                 std::make_index_sequence<std::tuple_size_v<Formats>>());
 }
 
-enum class Fault { none, divide_error, overflow, domain_error };
-
 /// Whether an operation of overflow rule O throws for a fault.
 template <overflow O>
 bool throws_by(Fault fault) {
   return fault != Fault::none && O == overflow::trap;
 }
 
-/// The stored integer of one result, and its fault.
-struct Result {
-  integer raw;
-  Fault fault = Fault::none;
-};
-
-/// An exact result in units of the format, which a batch wraps where the type throws.
-Result narrowed(const Type& type, const integer& value, overflow rule);
-/// A sum of products of stored integers.
-Result product(const Type& type, const integer& sum);
-/// n / d, by the definition of every rule in fixed/policy.hpp.
-Result quotient(const Type& type, integer n, integer d);
 /// The first fault of several steps.
 Fault first(std::initializer_list<Fault> faults);
 

@@ -25,8 +25,9 @@ constexpr auto dots = []<class N>() {
         want.fault == Fault::overflow && type.rules.product_range() == overflow::trap;
     for (const path use : paths()) {
       const auto got = reference::outcome([&] {
-        return batch::dot(x.numbers<N>().subspan(at, terms), y.numbers<N>().subspan(at, terms),
-                          use);
+        return integer(
+            batch::dot(x.numbers<N>().subspan(at, terms), y.numbers<N>().subspan(at, terms), use)
+                .raw());
       });
       ASSERT_EQ(got, throws ? std::nullopt : std::optional(want.raw)) << terms << " terms";
     }

@@ -19,7 +19,7 @@ constexpr auto products = []<class N>() {
          throws});
   check({type,
          [=](const integer& x, const integer& y, const integer& z) {
-           return product(type, x * y + z * type.one());
+           return product(type, x * y + z * type.one);
          },
          [](const Spans& of, const auto& how) {
            return batch::mul_add(of.in<N>(0), of.in<N>(1), of.in<N>(2), of.out<N>(), how);
@@ -35,7 +35,7 @@ constexpr auto roots = []<class N>() {
          if (x < 0) return Result{0, Fault::domain_error};
          // Roots saturate under policies that wrap.
          const bool traps = type.rules.range == overflow::trap;
-         return narrowed(type, reference::root(x * type.one()),
+         return narrowed(type, reference::root(x * type.one),
                          traps ? overflow::trap : overflow::saturate);
        },
        [](const Spans& of, const auto& how) { return batch::sqrt(of.in<N>(0), of.out<N>(), how); },

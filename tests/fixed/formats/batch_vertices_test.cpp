@@ -28,8 +28,8 @@ Result coordinate(const Type& type, const integer* row, const integer* vertex) {
 
 /// The exact sum is narrowed once.
 Result fused_coordinate(const Type& type, const integer* row, const integer* vertex) {
-  return product(
-      type, row[0] * vertex[0] + row[1] * vertex[1] + row[2] * vertex[2] + row[3] * type.one());
+  return product(type,
+                 row[0] * vertex[0] + row[1] * vertex[1] + row[2] * vertex[2] + row[3] * type.one);
 }
 
 template <class Coordinate>

@@ -2,7 +2,7 @@
 #include "fixed/constants.hpp"
 
 #include "fixed/fixed.hpp"
-#include "tests/fixed/formats/reference.hpp"
+#include "tests/fixed/formats/integer.hpp"
 #include "tests/support/test.hpp"
 
 namespace {
@@ -16,7 +16,7 @@ const integer unit = integer(1) << precision;
 
 integer times(const integer& a, const integer& b) { return (a * b) >> precision; }
 integer over(const integer& a, const integer& b) { return (a << precision) / b; }
-integer root(const integer& a) { return boost::multiprecision::sqrt(a << precision); }
+integer root(const integer& a) { return reference::floor_root(a << precision); }
 
 /// The sum of sign^k / ((2k + 1) n^(2k + 1)): atan(1/n) if sign is -1, atanh(1/n) if it is 1.
 integer inverse_tangent(int n, int sign) {

@@ -1,58 +1,167 @@
 #include "tests/fixed/formats/reference.hpp"
 
+#include <algorithm>
+#include <ostream>
 #include <random>
+#include <sstream>
 
 namespace reference {
 
-using fixproof::divide_fault;
 using fixproof::overflow;
+
+integer below(const integer& n, const integer& d) {
+  const integer quotient = n / d;
+  return quotient * d > n ? quotient - 1 : quotient;
+}
+
+integer round(const integer& n, const integer& d, fixproof::rounding rule) {
+  using fixproof::rounding;
+  const integer low = below(n, d);
+  const integer twice = 2 * (n - low * d);
+  if (twice == 0) return low;
+  if (rule == rounding::floor) return low;
+  if (rule == rounding::truncate) return n < 0 ? low + 1 : low;
+  if (twice != d) return twice < d ? low : low + 1;
+  const bool up = rule == rounding::half_up || (rule == rounding::half_away && n > 0) ||
+                  (rule == rounding::half_even && low % 2 != 0);
+  return up ? low + 1 : low;
+}
+
+integer root(const integer& n) {
+  const integer r = floor_root(n);
+  return n - r * r > r ? r + 1 : r;
+}
+
+Type::Type(std::size_t size_, bool is_signed_, int fraction_bits_, const fixproof::policy& rules_)
+    : size(size_),
+      is_signed(is_signed_),
+      fraction_bits(fraction_bits_),
+      rules(rules_),
+      one(power(2, fraction_bits)),
+      count(power(2, bits())),
+      lowest(is_signed ? -(count / 2) : integer(0)),
+      highest(lowest + count - 1) {}
+
+integer Type::wrapped(const integer& x) const { return x - count * below(x - lowest, count); }
+
+Word Type::word(std::uint64_t value) const {
+  const int unused = 64 - bits();
+  const Word high = value << unused;
+  return is_signed ? static_cast<Word>(static_cast<std::int64_t>(high) >> unused) : high >> unused;
+}
+
+Word Type::stored(const integer& x) const {
+  return x < 0 ? 0 - static_cast<Word>(-x) : static_cast<Word>(x);
+}
+
+integer Type::value(Word stored) const {
+  return is_signed ? integer(static_cast<std::int64_t>(stored)) : integer(stored);
+}
 
 std::ostream& operator<<(std::ostream& out, const Type& type) {
   return out << (type.is_signed ? "signed " : "unsigned ") << type.bits() << " bits, "
              << type.fraction_bits << " after the point";
 }
 
-result in_range(const Type& type, const integer& value, overflow rule) {
-  if (type.fits(value)) return value;
-  if (rule == overflow::trap) return std::nullopt;
-  if (rule == overflow::saturate) return value < 0 ? type.lowest() : type.highest();
-  return type.wrapped(value);
+Result narrowed(const Type& type, const integer& value, overflow rule) {
+  if (type.fits(value)) return {value};
+  if (rule == overflow::wrap) return {type.wrapped(value)};
+  if (rule == overflow::trap) return {type.wrapped(value), Fault::overflow};
+  return {value < 0 ? type.lowest : type.highest, Fault::overflow};
 }
 
-result quotient(const Type& type, const integer& n, const integer& whole_divisor) {
-  const overflow rule = type.rules.quotient_range();
-  const divide_fault fault = type.rules.fault;
-  const integer one = type.one();
-  integer d = whole_divisor;
-  if (type.rules.divisor == fixproof::divisor_width::whole_part) d = d / one * one;
+Result product(const Type& type, const integer& sum) {
+  return narrowed(type, round(sum, type.one, type.rules.multiply), type.rules.product_range());
+}
+
+Result quotient(const Type& type, integer n, integer d) {
+  using fixproof::divide_fault;
+  if (type.rules.divisor == fixproof::divisor_width::whole_part) {
+    d /= type.one;
+  } else {
+    n *= type.one;
+  }
   if (d == 0) {
-    if (fault != divide_fault::none || rule == overflow::trap) return std::nullopt;
-    if (n == 0) return n;
-    return in_range(type, n < 0 ? -power(2, 100) : power(2, 100), overflow::saturate);
+    const integer far = n < 0 ? -type.count : type.count;
+    return {n == 0 ? n : narrowed(type, far, overflow::saturate).raw, Fault::divide_error};
   }
-  const integer scaled = n * one;
-  if (fault == divide_fault::unsigned_quotient && abs(scaled / d) >= type.count()) {
-    return std::nullopt;
+  if (d < 0) {
+    n = -n;
+    d = -d;
   }
-  const integer rounded =
-      d < 0 ? round(-scaled, -d, type.rules.divide) : round(scaled, d, type.rules.divide);
-  return in_range(type, rounded, fault == divide_fault::signed_quotient ? overflow::trap : rule);
+  const integer value = round(n, d, type.rules.divide);
+  Result result = narrowed(type, value, type.rules.quotient_range());
+  const divide_fault rule = type.rules.fault;
+  if ((rule == divide_fault::unsigned_quotient && (n < 0 ? -n : n) / d >= type.count) ||
+      (rule == divide_fault::signed_quotient && !type.fits(value))) {
+    result.fault = Fault::divide_error;
+  }
+  return result;
 }
 
-std::vector<std::uint64_t> words(int bits, int random_count) {
-  std::vector<std::uint64_t> values;
-  for (int bit = 0; bit < bits; bit += bit % 8 == 7 || bit % 8 == 6 ? 1 : 3) {
+Returned returned(const Type& type, const Result& result, overflow rule) {
+  const bool is_divide_fault =
+      result.fault == Fault::divide_error && type.rules.fault != fixproof::divide_fault::none;
+  if (is_divide_fault || (result.fault != Fault::none && rule == overflow::trap)) return {};
+  return result.raw;
+}
+
+Returned in_range(const Type& type, const integer& value, overflow rule) {
+  return returned(type, narrowed(type, value, rule), rule);
+}
+
+Returned returned_product(const Type& type, const integer& sum) {
+  return returned(type, product(type, sum), type.rules.product_range());
+}
+
+Returned returned_quotient(const Type& type, const integer& n, const integer& d) {
+  return returned(type, quotient(type, n, d), type.rules.quotient_range());
+}
+
+std::string difference(const Type& type, const std::optional<Word>& got, const Returned& expected) {
+  const Returned value = got ? Returned(type.value(*got)) : std::nullopt;
+  if (value == expected) return {};
+  const auto text = [](const Returned& x) { return x ? x->str() : "an error"; };
+  return text(value) + ", expected " + text(expected);
+}
+
+std::string with_point(std::string digits, int places) {
+  if (places == 0) return digits;
+  const auto count = static_cast<std::size_t>(places);
+  if (digits.size() <= count) digits.insert(0, count + 1 - digits.size(), '0');
+  return digits.insert(digits.size() - count, ".");
+}
+
+std::string listed(const Type& type, const std::vector<Word>& words) {
+  std::ostringstream text;
+  text << "stored integers";
+  for (const Word word : words) text << ' ' << type.value(word);
+  text << " (" << type << ")";
+  return text.str();
+}
+
+std::vector<Word> operands(const Type& type, int random_count) {
+  std::vector<Word> values;
+  const auto add = [&](std::uint64_t value) { values.push_back(type.word(value)); };
+  for (int bit = 0; bit < type.bits(); bit += bit % 8 == 7 || bit % 8 == 6 ? 1 : 3) {
     const std::uint64_t power = std::uint64_t{1} << bit;
     for (const std::uint64_t value : {power - 1, power, power + 1}) {
-      values.push_back(value);
-      values.push_back(0 - value);
+      add(value);
+      add(0 - value);
     }
   }
   std::mt19937_64 random(19);
   for (int i = 0; i < random_count; ++i) {
     const std::uint64_t value = random() >> (random() % 64);
-    values.push_back(random() % 2 == 0 ? value : 0 - value);
+    add(random() % 2 == 0 ? value : 0 - value);
   }
+  return values;
+}
+
+std::vector<Word> distinct_operands(const Type& type, int random_count) {
+  std::vector<Word> values = operands(type, random_count);
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 

@@ -1,56 +1,84 @@
 /// \file
 /// The exact result of every operation in every format, by definition, from integers of 1,024 bits.
-/// Of fixed/ this header takes only the names of the rules.
+/// Of fixed/ this header takes only the names of the rules and errors.
+///
+/// What is expected of a number type is computed from a description of the type at run time, so
+/// that it is compiled once and not for each of dozens of types.
 #pragma once
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <boost/multiprecision/cpp_int.hpp>
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
-#include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <optional>
-#include <ostream>
+#include <string>
 #include <type_traits>
 #include <vector>
 
 #include "fixed/error.hpp"
 #include "fixed/policy.hpp"
+#include "tests/fixed/formats/integer.hpp"
 
 namespace reference {
 
-using integer = boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<1024, 1024, boost::multiprecision::signed_magnitude,
-                                           boost::multiprecision::unchecked, void>,
-    boost::multiprecision::et_off>;
-
-inline integer power(int base, int exponent) {
-  if (base == 2) return integer(1) << exponent;
-  return boost::multiprecision::pow(integer(base), static_cast<unsigned>(exponent));
-}
-
-inline integer below(const integer& n, const integer& d) {
-  const integer quotient = n / d;
-  return quotient * d > n ? quotient - 1 : quotient;
-}
-
+/// n / d rounded down. \pre d > 0
+integer below(const integer& n, const integer& d);
 /// n / d rounded by the rule. \pre d > 0
-inline integer round(const integer& n, const integer& d, fixproof::rounding rule) {
-  using fixproof::rounding;
-  const integer low = below(n, d);
-  const integer twice = 2 * (n - low * d);
-  if (twice == 0) return low;
-  if (rule == rounding::floor) return low;
-  if (rule == rounding::truncate) return n < 0 ? low + 1 : low;
-  if (twice != d) return twice < d ? low : low + 1;
-  const bool up = rule == rounding::half_up || (rule == rounding::half_away && n > 0) ||
-                  (rule == rounding::half_even && low % 2 != 0);
-  return up ? low + 1 : low;
+integer round(const integer& n, const integer& d, fixproof::rounding rule);
+/// The nearest integer to sqrt(n). \pre n >= 0
+integer root(const integer& n);
+
+/// The stored integer of a number of any type, extended to 64 bits by its sign.
+using Word = std::uint64_t;
+template <class N>
+Word word_of(N x) {
+  return static_cast<Word>(x.raw());
 }
+template <class N>
+N number_of(Word word) {
+  return N::from_raw(static_cast<typename N::raw_type>(word));
+}
+
+/// A number type at run time.
+struct Type {
+  Type(std::size_t size, bool is_signed, int fraction_bits, const fixproof::policy& rules);
+  template <class N>
+  static Type of() {
+    return {sizeof(N), std::is_signed_v<typename N::raw_type>, N::fraction_bits, N::rules};
+  }
+
+  std::size_t size;
+  bool is_signed;
+  int fraction_bits;
+  fixproof::policy rules;
+  integer one;      ///< The stored integer of 1, which may be out of range.
+  integer count;    ///< Of stored integers.
+  integer lowest;   ///< Stored integer.
+  integer highest;  ///< Stored integer.
+
+  [[nodiscard]] int bits() const { return static_cast<int>(8 * size); }
+  [[nodiscard]] bool fits(const integer& x) const { return x >= lowest && x <= highest; }
+  [[nodiscard]] integer wrapped(const integer& x) const;
+  /// A stored integer from the low bits of `value`.
+  [[nodiscard]] Word word(std::uint64_t value) const;
+  /// \pre fits(x)
+  [[nodiscard]] Word stored(const integer& x) const;
+  [[nodiscard]] integer value(Word stored) const;
+};
+std::ostream& operator<<(std::ostream& out, const Type& type);
+
+enum class Fault { none, divide_error, overflow, domain_error };
+
+/// The stored integer of one result, and its fault.
+struct Result {
+  integer raw;
+  Fault fault = Fault::none;
+};
+
+/// An exact result in units of the type, wrapped if the rule throws.
+Result narrowed(const Type& type, const integer& value, fixproof::overflow rule);
+/// A sum of products of stored integers.
+Result product(const Type& type, const integer& sum);
+/// n / d, by the definition of every rule in fixed/policy.hpp.
+Result quotient(const Type& type, integer n, integer d);
 
 /// A number type at run time, so that what is expected of it is compiled once for all types.
 struct Type {
@@ -86,51 +114,28 @@ struct Type {
 std::ostream& operator<<(std::ostream& out, const Type& type);
 
 /// A stored integer, or nothing for an error.
-using result = std::optional<integer>;
+using Returned = std::optional<integer>;
 
-/// The value of a stored integer by the overflow rule.
-result in_range(const Type& type, const integer& value, fixproof::overflow rule);
-/// n / d, by the definition of every rule in fixed/policy.hpp.
-result quotient(const Type& type, const integer& n, const integer& whole_divisor);
-/// The stored integer as a word.
-template <class N>
-std::uint64_t word(N x) {
-  return static_cast<std::uint64_t>(x.raw());
-}
-template <class N>
-N number(std::uint64_t word) {
-  return N::from_raw(static_cast<typename N::raw_type>(word));
-}
+/// What an operation returns that has this result and overflow rule.
+Returned returned(const Type& type, const Result& result, fixproof::overflow rule);
+/// An exact result in units of the type, under the rule.
+Returned in_range(const Type& type, const integer& value, fixproof::overflow rule);
+/// The same for products and quotients, under the rules of the type.
+Returned returned_product(const Type& type, const integer& sum);
+Returned returned_quotient(const Type& type, const integer& n, const integer& d);
 
-/// \name The same for a type at compile time
-/// \{
-template <class N>
-result in_range(const integer& value, fixproof::overflow rule) {
-  return in_range(Type::of<N>(), value, rule);
-}
-template <class N>
-integer raw(N x) {
-  return integer(x.raw());
-}
-template <class N>
-integer one() {
-  return power(2, N::fraction_bits);
-}
-template <class N>
-result quotient(const integer& n, const integer& whole_divisor) {
-  return quotient(Type::of<N>(), n, whole_divisor);
-}
-/// \}
+/// Nothing if the outcome of a call on numbers of the type is as expected, or else both.
+std::string difference(const Type& type, const std::optional<Word>& got, const Returned& expected);
 
-/// The nearest integer to sqrt(n). \pre n >= 0
-inline integer root(const integer& n) {
-  const integer r = boost::multiprecision::sqrt(n);
-  return n - r * r > r ? r + 1 : r;
-}
+/// The digits with a point before the last `places` of them.
+std::string with_point(std::string digits, int places);
+
+/// Stored integers and their type, for the message of a failure.
+std::string listed(const Type& type, const std::vector<Word>& words);
 
 /// The outcome of a call that returns a stored integer and may throw one of fixed's errors.
 template <class Call>
-result outcome_of(const Call& call) {
+std::optional<std::invoke_result_t<Call>> outcome(const Call& call) {
   try {
     return call();
   } catch (const fixproof::overflow_error&) {
@@ -145,16 +150,9 @@ result outcome(const Call& call) {
 }
 
 /// Stored integers at the edges: 0, the ends, powers of two with their neighbours, both signs; then
-/// random ones of every length. As words, of which a type takes its low bits.
-std::vector<std::uint64_t> words(int bits, int random_count);
-
-template <class N>
-std::vector<N> operands(int random_count) {
-  std::vector<N> values;
-  for (const std::uint64_t value : words(8 * sizeof(N), random_count)) {
-    values.push_back(number<N>(value));
-  }
-  return values;
-}
+/// random ones of every length.
+std::vector<Word> operands(const Type& type, int random_count);
+/// The same without repetitions, for tests of all pairs.
+std::vector<Word> distinct_operands(const Type& type, int random_count);
 
 }  // namespace reference

@@ -15,38 +15,62 @@ namespace {
 
 using fixproof::rounding;
 using reference::integer;
+using reference::number_of;
 using reference::power;
+using reference::Type;
+using reference::with_point;
+using reference::Word;
+using reference::word_of;
 
-template <class N>
-integer magnitude(N x) {
-  return x.raw() < 0 ? integer(-reference::raw(x)) : reference::raw(x);
+/// Writing and reading numbers of one type.
+struct Calls {
+  Type type;
+  std::string (*format)(const std::string& text, Word x);
+  void (*write)(std::ostream& out, Word x);
+  /// Both leave x alone if there is no number in range.
+  std::from_chars_result (*from_chars)(const std::string& text, Word& x);
+  void (*read)(std::istream& in, Word& x);
+
+  template <class N>
+  static Calls of() {
+    return {Type::of<N>(),
+            [](const std::string& text, Word x) {
+              return fmt::format(fmt::runtime(text), number_of<N>(x));
+            },
+            [](std::ostream& out, Word x) { out << number_of<N>(x); },
+            [](const std::string& text, Word& x) {
+              auto number = number_of<N>(x);
+              const auto result =
+                  fixproof::from_chars(text.data(), text.data() + text.size(), number);
+              x = word_of(number);
+              return result;
+            },
+            [](std::istream& in, Word& x) {
+              auto number = number_of<N>(x);
+              in >> number;
+              x = word_of(number);
+            }};
+  }
+};
+
+/// The value of a stored integer without its sign.
+integer magnitude(const Type& type, Word x) {
+  const integer value = type.value(x);
+  return value < 0 ? -value : value;
 }
 
-template <class N>
-std::string sign_of(N x) {
-  return x.raw() < 0 ? "-" : "";
+std::string sign_of(const Type& type, Word x) { return type.value(x) < 0 ? "-" : ""; }
+
+std::string fixed_text(const Type& type, Word x, int precision) {
+  const integer scaled = magnitude(type, x) * power(10, precision);
+  const integer digits = reference::round(scaled, type.one, rounding::half_even);
+  return sign_of(type, x) + with_point(digits.str(), precision);
 }
 
-/// The digits with a point before the last `places` of them.
-std::string with_point(std::string digits, int places) {
-  if (places == 0) return digits;
-  const auto count = static_cast<std::size_t>(places);
-  if (digits.size() <= count) digits.insert(0, count + 1 - digits.size(), '0');
-  return digits.insert(digits.size() - count, ".");
-}
-
-template <class N>
-std::string fixed_text(N x, int precision) {
-  const integer scaled = magnitude(x) * power(10, precision);
-  const integer digits = reference::round(scaled, reference::one<N>(), rounding::half_even);
-  return sign_of(x) + with_point(digits.str(), precision);
-}
-
-template <class N>
-std::string scientific_text(N x, int precision) {
+std::string scientific_text(const Type& type, Word x, int precision) {
   int exponent = 0;
-  integer n = magnitude(x);
-  integer d = reference::one<N>();
+  integer n = magnitude(type, x);
+  integer d = type.one;
   if (n != 0) {
     for (; n >= 10 * d; d *= 10) ++exponent;
     for (; n < d; n *= 10) --exponent;
@@ -57,15 +81,14 @@ std::string scientific_text(N x, int precision) {
     ++exponent;
   }
   const std::string size = std::to_string(exponent < 0 ? -exponent : exponent);
-  return sign_of(x) + with_point(digits.str(), precision) + (exponent < 0 ? "e-" : "e+") +
+  return sign_of(type, x) + with_point(digits.str(), precision) + (exponent < 0 ? "e-" : "e+") +
          (size.size() < 2 ? "0" : "") + size;
 }
 
 /// The text in a base of 2^bits_per_digit.
-template <class N>
-std::string binary_text(N x, int bits_per_digit) {
-  const int places = (N::fraction_bits + bits_per_digit - 1) / bits_per_digit;
-  integer units = magnitude(x) * power(2, places * bits_per_digit - N::fraction_bits);
+std::string binary_text(const Type& type, Word x, int bits_per_digit) {
+  const int places = (type.fraction_bits + bits_per_digit - 1) / bits_per_digit;
+  integer units = magnitude(type, x) * power(2, places * bits_per_digit - type.fraction_bits);
   std::string digits;
   for (; units != 0; units /= power(2, bits_per_digit)) {
     const auto digit = static_cast<int>(units % power(2, bits_per_digit));
@@ -75,13 +98,14 @@ std::string binary_text(N x, int bits_per_digit) {
   digits = with_point(digits, places);
   if (places > 0) digits.erase(digits.find_last_not_of('0') + 1);
   if (digits.back() == '.') digits.pop_back();
-  return sign_of(x) + digits;
+  return sign_of(type, x) + digits;
 }
 
-template <class N>
-std::string streamed(N x, std::ios_base& (*form)(std::ios_base&), int precision) {
+std::string streamed(const Calls& calls, Word x, std::ios_base& (*form)(std::ios_base&),
+                     int precision) {
   std::ostringstream out;
-  out << form << std::setprecision(precision) << x;
+  out << form << std::setprecision(precision);
+  calls.write(out, x);
   return out.str();
 }
 
@@ -94,45 +118,50 @@ using TextFormats =
                   fixproof::number<std::int64_t, 59, formats::even_saturate>,
                   fixproof::number<std::uint64_t, 60>>(formats::wide()));
 
-template <class N>
-class FormatText : public testing::Test {};
-TYPED_TEST_SUITE(FormatText, TextFormats);
+bool text_test(const char* test, void (*body)(const Calls&), int line = __builtin_LINE()) {
+  return formats::test_each<TextFormats>("FormatText", test, body, __FILE__, line);
+}
 
-TYPED_TEST(FormatText, RoundsToAnyPrecision) {
-  for (const TypeParam x : reference::operands<TypeParam>(10)) {
+[[maybe_unused]] const bool precisions = text_test("RoundsToAnyPrecision", [](const Calls& calls) {
+  const Type& type = calls.type;
+  for (const Word x : reference::operands(type, 10)) {
     for (int precision = 0; precision <= 70; precision += precision < 24 ? 1 : 5) {
-      const std::string decimal = fixed_text(x, precision);
-      ASSERT_EQ(fmt::format(fmt::runtime(fmt::format("{{:.{}f}}", precision)), x), decimal);
-      ASSERT_EQ(streamed(x, std::fixed, precision), decimal);
-      const std::string scientific = scientific_text(x, precision);
-      ASSERT_EQ(fmt::format(fmt::runtime(fmt::format("{{:.{}e}}", precision)), x), scientific) << x;
-      ASSERT_EQ(streamed(x, std::scientific, precision), scientific) << x;
+      const std::string decimal = fixed_text(type, x, precision);
+      ASSERT_EQ(calls.format(fmt::format("{{:.{}f}}", precision), x), decimal);
+      ASSERT_EQ(streamed(calls, x, std::fixed, precision), decimal);
+      const std::string scientific = scientific_text(type, x, precision);
+      ASSERT_EQ(calls.format(fmt::format("{{:.{}e}}", precision), x), scientific)
+          << listed(type, {x});
+      ASSERT_EQ(streamed(calls, x, std::scientific, precision), scientific) << listed(type, {x});
     }
   }
-}
+});
 
 /// Where long double holds every number exactly, printf must agree.
-TYPED_TEST(FormatText, AgreesWithPrintf) {
+[[maybe_unused]] const bool like_printf = text_test("AgreesWithPrintf", [](const Calls& calls) {
   if (std::numeric_limits<long double>::digits < 64) GTEST_SKIP() << "long double is too short";
+  const Type& type = calls.type;
   std::array<char, 200> text{};
-  for (const TypeParam x : reference::operands<TypeParam>(100)) {
-    const long double value =
-        std::ldexp(static_cast<long double>(x.raw()), -TypeParam::fraction_bits);
+  for (const Word x : reference::operands(type, 100)) {
+    const auto raw = type.is_signed ? static_cast<long double>(static_cast<std::int64_t>(x))
+                                    : static_cast<long double>(x);
+    const long double value = std::ldexp(raw, -type.fraction_bits);
     for (const int precision : {0, 1, 2, 6, 17, 70}) {
       std::snprintf(text.data(), text.size(), "%.*Lf", precision, value);
-      ASSERT_EQ(streamed(x, std::fixed, precision), text.data());
+      ASSERT_EQ(streamed(calls, x, std::fixed, precision), text.data());
       std::snprintf(text.data(), text.size(), "%.*Le", precision, value);
-      ASSERT_EQ(streamed(x, std::scientific, precision), text.data());
+      ASSERT_EQ(streamed(calls, x, std::scientific, precision), text.data());
     }
   }
-}
+});
 
-TYPED_TEST(FormatText, HexadecimalAndBinary) {
-  for (const TypeParam x : reference::operands<TypeParam>(60)) {
-    ASSERT_EQ(fmt::format("{:x}", x), binary_text(x, 4)) << x;
-    ASSERT_EQ(fmt::format("{:b}", x), binary_text(x, 1)) << x;
+[[maybe_unused]] const bool bases = text_test("HexadecimalAndBinary", [](const Calls& calls) {
+  const Type& type = calls.type;
+  for (const Word x : reference::operands(type, 60)) {
+    ASSERT_EQ(calls.format("{:x}", x), binary_text(type, x, 4)) << listed(type, {x});
+    ASSERT_EQ(calls.format("{:b}", x), binary_text(type, x, 1)) << listed(type, {x});
   }
-}
+});
 
 /// digits * 10^exponent, as a text of either form.
 struct Decimal {
@@ -141,14 +170,14 @@ struct Decimal {
   int exponent = 0;
 };
 
-template <class N>
-std::string first_wrong(const Decimal& decimal) {
-  const integer n = (decimal.negative ? -decimal.digits : decimal.digits) * reference::one<N>() *
+/// The first text of the number that is read wrong, or nothing.
+std::string first_wrong(const Calls& calls, const Decimal& decimal) {
+  const Type& type = calls.type;
+  const integer n = (decimal.negative ? -decimal.digits : decimal.digits) * type.one *
                     power(10, (std::max)(decimal.exponent, 0));
   const integer expected =
-      reference::round(n, power(10, (std::max)(-decimal.exponent, 0)), N::rules.multiply);
-  using limits = std::numeric_limits<typename N::raw_type>;
-  const bool fits = expected >= limits::min() && expected <= limits::max();
+      reference::round(n, power(10, (std::max)(-decimal.exponent, 0)), type.rules.multiply);
+  const bool fits = type.fits(expected);
   const std::string sign = decimal.negative ? "-" : "";
   const std::string digits = decimal.digits.str();
   const auto size = static_cast<int>(digits.size());
@@ -170,29 +199,30 @@ std::string first_wrong(const Decimal& decimal) {
                std::to_string(decimal.exponent + size - 1),
        }) {
     const std::string all = sign + text;
-    const N before = N::from_raw(77);
-    N read = before;
-    const auto result = fixproof::from_chars(all.data(), all.data() + all.size(), read);
+    const Word before = 77;
+    const Word right = fits ? type.stored(expected) : before;
+    Word read = before;
+    const auto result = calls.from_chars(all, read);
     const auto error = fits ? std::errc() : std::errc::result_out_of_range;
-    const bool right = fits ? reference::raw(read) == expected : read == before;
-    if (result.ec != error || result.ptr != all.data() + all.size() || !right) return all;
+    if (result.ec != error || result.ptr != all.data() + all.size() || read != right) return all;
     std::istringstream in(all);
-    N streamed = before;
-    in >> streamed;
-    if (in.fail() == fits || streamed != read) return "stream: " + all;
+    Word streamed = before;
+    calls.read(in, streamed);
+    if (in.fail() == fits || streamed != right) return "stream: " + all;
   }
   return {};
 }
 
-TYPED_TEST(FormatText, ReadsScientific) {
-  using N = TypeParam;
-  constexpr int places = N::fraction_bits + 1;
+/// Ties, numbers beside them and random ones.
+std::vector<Decimal> decimals_of(const Type& type) {
+  const int places = type.fraction_bits + 1;
   std::vector<Decimal> decimals;
-  for (const N x : reference::operands<N>(10)) {
+  for (const Word x : reference::operands(type, 10)) {
     // A tie, the numbers beside it at any distance, and the number itself.
-    const integer tie = (2 * magnitude(x) + 1) * power(5, places);
+    const integer tie = (2 * magnitude(type, x) + 1) * power(5, places);
     for (const bool negative : {false, true}) {
-      decimals.push_back({negative, magnitude(x) * power(5, N::fraction_bits), -N::fraction_bits});
+      decimals.push_back(
+          {negative, magnitude(type, x) * power(5, type.fraction_bits), -type.fraction_bits});
       decimals.push_back({negative, tie, -places});
       for (const int further : {1, 40}) {
         const integer scaled = tie * power(10, further);
@@ -209,34 +239,40 @@ TYPED_TEST(FormatText, ReadsScientific) {
     decimals.push_back({random() % 2 == 0, digits, static_cast<int>(random() % 50) - 28 - size});
     decimals.push_back({random() % 2 == 0, digits, static_cast<int>(random() % 240) - 120});
   }
-  for (const Decimal& decimal : decimals) ASSERT_EQ(first_wrong<N>(decimal), "");
+  return decimals;
 }
 
-TYPED_TEST(FormatText, ReadsExponentsOfAnySize) {
-  using N = TypeParam;
-  using limits = std::numeric_limits<typename N::raw_type>;
-  const std::string nines(100'000, '9');
-  for (const std::string& exponent : {std::string("999999999"), nines}) {
-    for (const std::string sign : {"", "-"}) {
-      N value = N::from_raw(77);
-      const std::string huge = sign + "0.001e" + exponent;
-      auto read = fixproof::from_chars(huge.data(), huge.data() + huge.size(), value);
-      ASSERT_EQ(read.ec, std::errc::result_out_of_range);
-      ASSERT_EQ(read.ptr, huge.data() + huge.size());
-      ASSERT_EQ(value, N::from_raw(77));
-      const std::string tiny = sign + "1000e-" + exponent;
-      const integer expected = reference::round(sign.empty() ? integer(1) : integer(-1),
-                                                power(10, 200), N::rules.multiply);
-      read = fixproof::from_chars(tiny.data(), tiny.data() + tiny.size(), value);
-      ASSERT_EQ(read.ptr, tiny.data() + tiny.size());
-      if (expected < limits::min()) {
-        ASSERT_EQ(read.ec, std::errc::result_out_of_range);
-      } else {
-        ASSERT_EQ(read.ec, std::errc());
-        ASSERT_EQ(reference::raw(value), expected);
-      }
-    }
+[[maybe_unused]] const bool scientific = text_test("ReadsScientific", [](const Calls& calls) {
+  for (const Decimal& decimal : decimals_of(calls.type)) {
+    ASSERT_EQ(first_wrong(calls, decimal), "") << calls.type;
   }
-}
+});
+
+[[maybe_unused]] const bool exponents =
+    text_test("ReadsExponentsOfAnySize", [](const Calls& calls) {
+      const Type& type = calls.type;
+      const std::string nines(100'000, '9');
+      for (const std::string& exponent : {std::string("999999999"), nines}) {
+        for (const std::string sign : {"", "-"}) {
+          Word value = 77;
+          const std::string huge = sign + "0.001e" + exponent;
+          auto read = calls.from_chars(huge, value);
+          ASSERT_EQ(read.ec, std::errc::result_out_of_range);
+          ASSERT_EQ(read.ptr, huge.data() + huge.size());
+          ASSERT_EQ(value, 77U);
+          const std::string tiny = sign + "1000e-" + exponent;
+          const integer expected = reference::round(sign.empty() ? integer(1) : integer(-1),
+                                                    power(10, 200), type.rules.multiply);
+          read = calls.from_chars(tiny, value);
+          ASSERT_EQ(read.ptr, tiny.data() + tiny.size());
+          if (expected < type.lowest) {
+            ASSERT_EQ(read.ec, std::errc::result_out_of_range);
+          } else {
+            ASSERT_EQ(read.ec, std::errc());
+            ASSERT_EQ(type.value(value), expected);
+          }
+        }
+      }
+    });
 
 }  // namespace
