@@ -9,11 +9,10 @@
 #include "fixed/fixed.hpp"
 #include "tests/fixed/formats/reference.hpp"
 #include "tests/fixed/formats/types.hpp"
-#include "tests/support/each_type.hpp"
+#include "tests/support/test.hpp"
 
 namespace {
 
-using fixproof::overflow;
 using fixproof::rounding;
 using reference::integer;
 using reference::number_of;

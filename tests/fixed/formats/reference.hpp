@@ -80,39 +80,6 @@ Result product(const Type& type, const integer& sum);
 /// n / d, by the definition of every rule in fixed/policy.hpp.
 Result quotient(const Type& type, integer n, integer d);
 
-/// A number type at run time, so that what is expected of it is compiled once for all types.
-struct Type {
-  std::size_t size;
-  bool is_signed;
-  int fraction_bits;
-  fixproof::policy rules;
-
-  template <class N>
-  static constexpr Type of() {
-    return {sizeof(N), std::is_signed_v<typename N::raw_type>, N::fraction_bits, N::rules};
-  }
-  [[nodiscard]] int bits() const { return static_cast<int>(8 * size); }
-  [[nodiscard]] integer one() const { return power(2, fraction_bits); }
-  [[nodiscard]] integer count() const { return power(2, bits()); }
-  [[nodiscard]] integer lowest() const { return is_signed ? -power(2, bits() - 1) : integer(0); }
-  [[nodiscard]] integer highest() const { return power(2, is_signed ? bits() - 1 : bits()) - 1; }
-  [[nodiscard]] bool fits(const integer& x) const { return x >= lowest() && x <= highest(); }
-  [[nodiscard]] integer wrapped(const integer& x) const {
-    return x - count() * below(x - lowest(), count());
-  }
-  /// The low bits of a word, extended to 64 bits.
-  [[nodiscard]] std::uint64_t extended(std::uint64_t word) const {
-    const int above = 64 - bits();
-    return is_signed ? static_cast<std::uint64_t>(static_cast<std::int64_t>(word << above) >> above)
-                     : word << above >> above;
-  }
-  /// The stored integer of a word that was extended to 64 bits.
-  [[nodiscard]] integer raw(std::uint64_t word) const {
-    return is_signed ? integer(static_cast<std::int64_t>(word)) : integer(word);
-  }
-};
-std::ostream& operator<<(std::ostream& out, const Type& type);
-
 /// A stored integer, or nothing for an error.
 using Returned = std::optional<integer>;
 
@@ -133,7 +100,7 @@ std::string with_point(std::string digits, int places);
 /// Stored integers and their type, for the message of a failure.
 std::string listed(const Type& type, const std::vector<Word>& words);
 
-/// The outcome of a call that returns a stored integer and may throw one of fixed's errors.
+/// The outcome of a call that may throw one of fixed's errors.
 template <class Call>
 std::optional<std::invoke_result_t<Call>> outcome(const Call& call) {
   try {
@@ -143,10 +110,6 @@ std::optional<std::invoke_result_t<Call>> outcome(const Call& call) {
   } catch (const fixproof::domain_error&) {
   }
   return std::nullopt;
-}
-template <class Call>
-result outcome(const Call& call) {
-  return outcome_of([&] { return integer(call().raw()); });
 }
 
 /// Stored integers at the edges: 0, the ends, powers of two with their neighbours, both signs; then
