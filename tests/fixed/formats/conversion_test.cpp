@@ -29,8 +29,8 @@ struct Calls {
   Word (*from_float)(float x);
   double (*to_double)(Word x);
   float (*to_float)(Word x);
-  std::string (*text)(Word x);
-  std::from_chars_result (*read)(const std::string& text, Word& x);
+  std::string (*to_text)(Word x);
+  std::from_chars_result (*from_text)(const std::string& text, Word& x);
   std::size_t max_chars;
 
   template <class N>
@@ -152,13 +152,13 @@ std::vector<double> doubles(const Calls& calls) {
 [[maybe_unused]] const bool to_text = conversions<Calls>("ToText", [](const Calls& calls) {
   const Type& type = calls.type;
   for (const Word x : reference::operands(type, 60)) {
-    const std::string text = calls.text(x);
+    const std::string text = calls.to_text(x);
     const Fraction value = fraction_of(text);
     ASSERT_EQ(value.n * type.one, type.value(x) * value.d) << text;
     ASSERT_TRUE(text.find('.') == std::string::npos || text.back() != '0') << text;
     ASSERT_LE(text.size(), calls.max_chars) << text;
     Word back = 0;
-    ASSERT_EQ(calls.read(text, back).ec, std::errc());
+    ASSERT_EQ(calls.from_text(text, back).ec, std::errc());
     ASSERT_EQ(back, x) << text;
   }
 });
@@ -196,7 +196,7 @@ std::vector<std::string> texts(const Type& type) {
     const integer expected = reference::round(value.n * type.one, value.d, type.rules.multiply);
     const bool fits = type.fits(expected);
     Word x = 0;
-    const auto read = calls.read(text, x);
+    const auto read = calls.from_text(text, x);
     ASSERT_EQ(read.ec, fits ? std::errc() : std::errc::result_out_of_range) << text;
     if (fits) {
       ASSERT_EQ(type.value(x), expected) << text;
