@@ -63,6 +63,13 @@ bool add_all(const char* suite, const char* name, const std::vector<Type<Traits>
   return true;
 }
 
+/// Adds the test suite/i.name for the i-th of `Types`, for bodies that have a name of their own.
+template <class Types, class Traits>
+bool add_each(const char* suite, const char* name, void (*body)(const Traits&),
+              const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+  return add_all(suite, name, all<Traits>(Types()), file, line, body);
+}
+
 }  // namespace each_type
 
 /// The test `suite`/i.`name` for the i-th of `types`; its body sees the Traits as `type`.

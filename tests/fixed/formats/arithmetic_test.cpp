@@ -230,7 +230,7 @@ void every_pair(const Calls& calls) {
   }
 }
 [[maybe_unused]] const bool narrow_pairs =
-    formats::test_each<formats::narrow>("NarrowFormats", "EveryPair", every_pair);
+    each_type::add_each<formats::narrow>("NarrowFormats", "EveryPair", every_pair);
 
 void edges_and_random_numbers(const Calls& calls) {
   const auto values = reference::operands(calls.type, 60);
@@ -243,7 +243,7 @@ void edges_and_random_numbers(const Calls& calls) {
     }
   }
 }
-[[maybe_unused]] const bool wide_edges = formats::test_each<formats::wide>(
+[[maybe_unused]] const bool wide_edges = each_type::add_each<formats::wide>(
     "WideFormats", "EdgesAndRandomNumbers", edges_and_random_numbers);
 
 void every_triple_of_ends(const Calls& calls) {
@@ -261,7 +261,7 @@ void every_triple_of_ends(const Calls& calls) {
   }
 }
 [[maybe_unused]] const bool wide_ends =
-    formats::test_each<formats::wide>("WideFormats", "EveryTripleOfEnds", every_triple_of_ends);
+    each_type::add_each<formats::wide>("WideFormats", "EveryTripleOfEnds", every_triple_of_ends);
 
 void integers(const IntegerCalls& calls) {
   const Type& type = calls.type;
@@ -284,7 +284,7 @@ void integers(const IntegerCalls& calls) {
   }
 }
 [[maybe_unused]] const bool wide_integers =
-    formats::test_each<formats::wide>("WideFormats", "Integers", integers);
+    each_type::add_each<formats::wide>("WideFormats", "Integers", integers);
 
 // The policy of products decides whether mul_add throws.
 constexpr fixproof::policy products_throw{.products = fixproof::overflow::trap};

@@ -273,7 +273,7 @@ void edges_and_random_numbers(const Calls& calls) {
     }
   }
 }
-[[maybe_unused]] const bool edges = formats::test_each<formats::wide>(
+[[maybe_unused]] const bool edges = each_type::add_each<formats::wide>(
     "CheckedFormats", "EdgesAndRandomNumbers", edges_and_random_numbers);
 
 /// The operations of one type with integers.
@@ -311,7 +311,7 @@ void ratios_and_remainders(const IntegerCalls& calls) {
     }
   }
 }
-[[maybe_unused]] const bool ratios = formats::test_each<formats::wide>(
+[[maybe_unused]] const bool ratios = each_type::add_each<formats::wide>(
     "CheckedFormats", "RatiosAndRemaindersOfIntegers", ratios_and_remainders);
 
 TEST(StickyStatus, RemembersUntilItIsCleared) {

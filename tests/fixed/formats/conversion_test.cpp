@@ -115,7 +115,7 @@ Fraction fraction_of(const std::string& text) {
 
 template <class Test>
 bool conversions(const char* test, void (*body)(const Test&), int line = __builtin_LINE()) {
-  return formats::test_each<formats::wide>("FormatConversions", test, body, __FILE__, line);
+  return each_type::add_each<formats::wide>("FormatConversions", test, body, __FILE__, line);
 }
 
 std::vector<double> doubles(const Calls& calls) {

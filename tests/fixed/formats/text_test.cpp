@@ -119,7 +119,7 @@ using TextFormats =
                   fixproof::number<std::uint64_t, 60>>(formats::wide()));
 
 bool text_test(const char* test, void (*body)(const Calls&), int line = __builtin_LINE()) {
-  return formats::test_each<TextFormats>("FormatText", test, body, __FILE__, line);
+  return each_type::add_each<TextFormats>("FormatText", test, body, __FILE__, line);
 }
 
 [[maybe_unused]] const bool precisions = text_test("RoundsToAnyPrecision", [](const Calls& calls) {

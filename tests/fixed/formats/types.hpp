@@ -4,12 +4,9 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "fixed/number.hpp"
-#include "tests/support/test.hpp"
+#include "tests/support/each_type.hpp"
 
 namespace formats {
 
@@ -64,44 +61,5 @@ using wide = testing::Types<
     number<std::int64_t, 62, truncate_saturate>, number<std::int64_t, 63, floor_wrap>,
     number<std::int64_t, 64, even_saturate>, number<std::uint64_t, 0, mixed>,
     number<std::uint64_t, 32>, number<std::uint64_t, 64, away_trap>>;
-
-/// A test that gets a type as a `Calls`: a table of functions that Calls::of makes for each type.
-template <class Calls>
-class TestOfCalls : public testing::Test {
- public:
-  using Body = void (*)(const Calls&);
-  TestOfCalls(Body body, Calls calls) : body_(body), calls_(std::move(calls)) {}
-  void TestBody() override { body_(calls_); }
-
- private:
-  Body body_;
-  Calls calls_;
-};
-
-/// How to make the name and the calls of a type.
-template <class Calls>
-struct Maker {
-  std::string (*name)();
-  Calls (*calls)();
-};
-template <class Calls, class... N>
-std::vector<Maker<Calls>> makers(testing::Types<N...> /*formats*/) {
-  return {{testing::internal::GetTypeName<N>, Calls::template of<N>}...};
-}
-
-/// Registers a test for each of the formats under the names that TYPED_TEST gives. Its body is
-/// compiled once, and not for every format: only what calls the operations has to be.
-template <class Formats, class Calls>
-bool test_each(const char* suite, const char* test, void (*body)(const Calls&),
-               const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
-  int number = 0;
-  for (const auto& maker : makers<Calls>(Formats())) {
-    const std::string suite_of_type = suite + std::string("/") + std::to_string(number++);
-    testing::RegisterTest(
-        suite_of_type.c_str(), test, maker.name().c_str(), nullptr, file, line,
-        [=]() -> testing::Test* { return new TestOfCalls<Calls>(body, maker.calls()); });
-  }
-  return true;
-}
 
 }  // namespace formats
