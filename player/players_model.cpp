@@ -12,8 +12,8 @@ namespace {
 using xsharp::ArithmeticChoice;
 using xsharp::Scene;
 
-/// A build of the listings; empty for any other choice. The repair is a matter of ConcatXforms,
-/// which is told apart from the numbers.
+/// A build of the listings; empty for any other choice. It is never repaired: only ConcatXforms has
+/// a repair, and the animation says for each call whether to use it.
 std::optional<cases::Build> listing_of(const ArithmeticChoice& choice) {
   auto build = build_of(choice);
   if (build) build->repaired = false;

@@ -50,8 +50,8 @@ Outcome execute_on_word_register(const Instruction& instruction, M& m) {
   return execute<op>(known, m);
 }
 
-/// Whether instructions have this mnemonic, a word register, and a second operand of this kind.
-/// What has not does not deserve a handler of its own.
+/// Whether there are instructions with this mnemonic, a word register, and a second operand of this
+/// kind. Only these get a handler of their own.
 constexpr bool takes_word_register(Mnemonic op, Operand::Kind second) {
   using Kind = Operand::Kind;
   if (op == Mnemonic::mov || is_two_operand(op)) {

@@ -199,33 +199,34 @@ struct Transform {
   }
 };
 
+/// \param Expected, Call the expected vertex, and the batch
+template <class N, auto Expected, auto Call>
+Operation transform_of(const char* name) {
+  return {Type::of<N>(),
+          name,
+          3,
+          [](const Words& by, const Word* vertex, Word* result) {
+            return result_of(Expected(rows_of<N>(by), vertex_of<N>(vertex)), result);
+          },
+          [](const void* by, const void* in, void* out, std::size_t n, const Options& how) {
+            return Call(rows_at<N>(by), numbers<Vertex<N>>(in, n), numbers<Vertex<N>>(out, n), how);
+          },
+          [](const void* by, const From& in, const To& out, std::size_t n, const Options& how) {
+            return Call(rows_at<N>(by), numbers<N>(in[0], n), numbers<N>(in[1], n),
+                        numbers<N>(in[2], n), numbers<N>(out[0], n), numbers<N>(out[1], n),
+                        numbers<N>(out[2], n), how);
+          }};
+}
+
 constexpr auto transforms_of = []<class N>(std::type_identity<N> /*number*/) -> Transform {
-  return {{Type::of<N>(), "transform", 3,
-           [](const Words& by, const Word* vertex, Word* result) {
-             return result_of(expected_vertex(rows_of<N>(by), vertex_of<N>(vertex)), result);
-           },
-           [](const void* by, const void* in, void* out, std::size_t n, const Options& how) {
-             return fixproof::batch::transform(rows_at<N>(by), numbers<Vertex<N>>(in, n),
-                                               numbers<Vertex<N>>(out, n), how);
-           },
-           [](const void* by, const From& in, const To& out, std::size_t n, const Options& how) {
-             return fixproof::batch::transform(
-                 rows_at<N>(by), numbers<N>(in[0], n), numbers<N>(in[1], n), numbers<N>(in[2], n),
-                 numbers<N>(out[0], n), numbers<N>(out[1], n), numbers<N>(out[2], n), how);
-           }},
-          {Type::of<N>(), "fused_transform", 3,
-           [](const Words& by, const Word* vertex, Word* result) {
-             return result_of(expected_fused_vertex(rows_of<N>(by), vertex_of<N>(vertex)), result);
-           },
-           [](const void* by, const void* in, void* out, std::size_t n, const Options& how) {
-             return fixproof::batch::fused_transform(rows_at<N>(by), numbers<Vertex<N>>(in, n),
-                                                     numbers<Vertex<N>>(out, n), how);
-           },
-           [](const void* by, const From& in, const To& out, std::size_t n, const Options& how) {
-             return fixproof::batch::fused_transform(
-                 rows_at<N>(by), numbers<N>(in[0], n), numbers<N>(in[1], n), numbers<N>(in[2], n),
-                 numbers<N>(out[0], n), numbers<N>(out[1], n), numbers<N>(out[2], n), how);
-           }}};
+  constexpr auto product = [](const auto&... with) { return expected_vertex(with...); };
+  constexpr auto products = [](const auto&... with) { return fixproof::batch::transform(with...); };
+  constexpr auto sum = [](const auto&... with) { return expected_fused_vertex(with...); };
+  constexpr auto sums = [](const auto&... with) {
+    return fixproof::batch::fused_transform(with...);
+  };
+  return {transform_of<N, product, products>("transform"),
+          transform_of<N, sum, sums>("fused_transform")};
 };
 
 void check_layouts(const Operation& transform, const Words& rows, const Tuples& in) {

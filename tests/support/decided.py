@@ -5,6 +5,7 @@ list in the tree, and only a changed question is asked again. What stands in a l
 first line names. `./test nightly` asks every question again.
 """
 import hashlib
+import sys
 
 
 def digest(question):
@@ -29,6 +30,11 @@ class Decided:
             return True
         self.asked.add(key)
         return False
+
+    def check(self):
+        """Ends the test if the list has a question that nobody asks any more: a proof may have lost it."""
+        if unasked := self.known - self.used.keys():
+            sys.exit(f"{self.path}: {len(unasked)} questions are no longer asked; if that is right, --record drops them")
 
     def write(self, title):
         """Replaces the list by the questions of this run, all of which have been answered."""

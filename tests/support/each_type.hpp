@@ -1,6 +1,6 @@
 /// \file
-/// Tests that repeat for many types and are compiled once. They have the names of TYPED_TESTs,
-/// which take 30 ms per type to compile before they test anything.
+/// Tests that repeat for many types but are compiled once. They have the names of TYPED_TESTs, of
+/// which the compiler makes several classes for each type.
 #pragma once
 
 #include <cxxabi.h>

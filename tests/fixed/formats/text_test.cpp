@@ -27,7 +27,7 @@ struct Calls {
   Type type;
   std::string (*format)(const std::string& text, Word x);
   void (*write)(std::ostream& out, Word x);
-  /// Both leave x alone if there is no number in range.
+  /// Read a number. Without one, or with one that is out of range, x stays as it is.
   std::from_chars_result (*from_chars)(const std::string& text, Word& x);
   void (*read)(std::istream& in, Word& x);
 
