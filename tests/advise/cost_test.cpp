@@ -138,16 +138,17 @@ TEST(Nanoseconds, AreOfEveryChoice) {
   }
 }
 
-// Whatever the times are, restoring every tenth frame costs on average a tenth of restoring always.
+// A mean of two times is never below the lesser of them, whatever the machine does meanwhile. How
+// the mean is weighted, FrameClocks.OfRestoringAreSharedOut tests with clocks, which are counted
+// and not timed.
 TEST(Nanoseconds, OfRestoringLieBetween) {
   const std::atomic<bool> stop = false;
   const std::vector<trade::Choice> choices{
       {}, {.turning = {false, 600}}, {.turning = {false, 10}}, {.turning = {false, 1}}};
   const auto costs = trade::nanoseconds_per_frame(turning_cube(2), choices, stop);
   ASSERT_EQ(costs.size(), 4U);
-  for (std::size_t i = 1; i < costs.size(); ++i) {
-    EXPECT_LT(costs[i - 1].ranked, costs[i].ranked) << i;
-  }
+  const double least = std::min(costs.front().least, costs.back().least);
+  for (const trade::Cost& cost : costs) EXPECT_GE(cost.least, least * (1 - 1e-9));
 }
 
 }  // namespace
