@@ -87,7 +87,7 @@ class Search {
 
   /// Returns the nearest routine, if none is equal.
   std::optional<ListingComparison> nearest(judge::Code& listing,
-                                           const std::vector<judge::Range>& taken) {
+                                           const std::vector<judge::CodeRange>& taken) {
     if (!is_exact_) return judge::find_nearest(listing, code_, range_, taken);
     return judge::compare_listing(listing, 0, code_, range_.first);
   }
@@ -109,7 +109,7 @@ class Search {
 
  private:
   judge::Code& code_;
-  judge::Range range_;
+  judge::CodeRange range_;
   bool is_exact_ = false;
   bool has_range_ = false;
 };
@@ -184,7 +184,7 @@ std::string confirmed_text(const Sought& sought) {
 }
 
 /// @param taken the places of the listings that are confirmed
-std::string missing_text(Sought& sought, Search& search, const std::vector<judge::Range>& taken) {
+std::string missing_text(Sought& sought, Search& search, const std::vector<judge::CodeRange>& taken) {
   const std::string other = other_build_text(sought.key, search);
   const auto nearest = search.nearest(sought.listing, taken);
   if (!nearest) return "NOT FOUND\n" + other;
@@ -217,7 +217,7 @@ int judge_against_listings(const std::string& file, const std::string& at,
   Search search(code, at);
   std::cout << fmt::format("{}: {}, as 16-bit code\n", support::printable(file), search.text());
   std::vector<Sought> all;
-  std::vector<judge::Range> taken;
+  std::vector<judge::CodeRange> taken;
   std::uint64_t bytes = 0;
   std::size_t confirmed = 0;
   for (const ProgramKey& key : keys) {

@@ -14,12 +14,12 @@ namespace fixproof::judge {
 namespace {
 
 /// The offsets that one run of ndisasm disassembles from.
-constexpr std::uint32_t piece = 4096;
+constexpr std::uint32_t piece_size = 4096;
 /// Each offset's instruction stands alone, at a multiple of this. Behind it are CS: prefixes and a
 /// NOP: wherever the disassembler is after the bytes that follow the instruction, it takes the rest
 /// for one instruction.
-constexpr std::uint32_t slot = 2 * longest_instruction;
-constexpr char prefix = '\x2E';
+constexpr std::uint32_t slot_size = 2 * longest_instruction;
+constexpr char filler = '\x2E';
 constexpr char nop = '\x90';
 
 void remove_words(std::string& text) {
@@ -78,24 +78,24 @@ void take_table(CanonicalLine& line) {
 const CanonicalLine& Code::at(std::uint32_t offset) {
   static const CanonicalLine nothing;
   if (offset >= size()) return nothing;
-  std::vector<CanonicalLine>& lines = pieces_[offset / piece];
-  if (lines.empty()) disassemble(offset / piece * piece, lines);
-  return lines[offset % piece];
+  std::vector<CanonicalLine>& lines = pieces_[offset / piece_size];
+  if (lines.empty()) disassemble(offset / piece_size * piece_size, lines);
+  return lines[offset % piece_size];
 }
 
 void Code::disassemble(std::uint32_t first, std::vector<CanonicalLine>& lines) const {
-  const std::uint32_t count = std::min(piece, size() - first);
-  std::string slots(std::size_t{slot} * count, prefix);
+  const std::uint32_t count = std::min(piece_size, size() - first);
+  std::string slots(std::size_t{slot_size} * count, filler);
   for (std::uint32_t i = 0; i < count; ++i) {
-    slots[std::size_t{slot} * (i + 1) - 1] = nop;
+    slots[std::size_t{slot_size} * (i + 1) - 1] = nop;
     const std::uint32_t whole = std::min(longest_instruction, size() - first - i);
-    std::copy_n(bytes_.begin() + first + i, whole, slots.begin() + std::ptrdiff_t{slot} * i);
+    std::copy_n(bytes_.begin() + first + i, whole, slots.begin() + std::ptrdiff_t{slot_size} * i);
   }
   lines.resize(count);
   for (const Line& printed : disassembled(16, 0, slots)) {
-    if (printed.at % slot != 0 || printed.at / slot >= count) continue;
-    CanonicalLine& line = lines[printed.at / slot];
-    line.at = first + printed.at / slot;
+    if (printed.at % slot_size != 0 || printed.at / slot_size >= count) continue;
+    CanonicalLine& line = lines[printed.at / slot_size];
+    line.at = first + printed.at / slot_size;
     if (printed.bytes > size() - line.at) continue;
     line.bytes = printed.bytes;
     line.text = printed.text;

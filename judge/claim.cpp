@@ -140,7 +140,7 @@ std::string quotient_of(Shape shape, bool of_product, const cases::Format& forma
 /// Returns the rounded quotient, wide. Its magnitude is `size` or one more.
 std::string rounded_quotient(Rounding rounding, const cases::Format& format) {
   std::string more;
-  const std::string twice = filled("(bvadd rest rest)", format);
+  const std::string doubled = filled("(bvadd rest rest)", format);
   switch (rounding) {
     case Rounding::truncate:
       more = "false";
@@ -149,14 +149,14 @@ std::string rounded_quotient(Rounding rounding, const cases::Format& format) {
       more = filled("(and negative (distinct rest (_ bv0 {1})))", format);
       break;
     case Rounding::half_away:
-      more = fmt::format("(bvuge {} unit)", twice);
+      more = fmt::format("(bvuge {} unit)", doubled);
       break;
     case Rounding::half_up:
-      more = fmt::format("(ite negative (bvugt {0} unit) (bvuge {0} unit))", twice);
+      more = fmt::format("(ite negative (bvugt {0} unit) (bvuge {0} unit))", doubled);
       break;
     case Rounding::half_even:
       more = fmt::format("(or (bvugt {0} unit) (and (= {0} unit) (= ((_ extract 0 0) size) #b1)))",
-                         twice);
+                         doubled);
       break;
   }
   return filled("(signed negative (bvadd size (ite ", format) + more +

@@ -24,7 +24,7 @@ constexpr std::array register_numbers{UC_X86_REG_EAX, UC_X86_REG_ECX, UC_X86_REG
 
 /// A call that executes more basic blocks than this counts as endless; a traced call, more steps.
 constexpr std::uint64_t max_blocks = 2'000'000;
-constexpr std::size_t max_steps = 100'000;
+constexpr std::size_t max_emulated_steps = 100'000;
 constexpr std::size_t page = 0x1000;
 
 void check(uc_err error, const char* what) {
@@ -249,7 +249,7 @@ class Emulator final : public Machine {
       Emulator& e = self(data);
       const auto at = static_cast<std::uint32_t>(address) - e.image_.code_at(0);
       if (at == e.image_.exit) return;
-      if (e.trace_->steps.size() >= max_steps) return e.stop(End::endless);
+      if (e.trace_->steps.size() >= max_emulated_steps) return e.stop(End::endless);
       e.trace_->steps.push_back({at, size, e.read_registers()});
     };
     add(UC_HOOK_CODE, at_step, 1, 0);

@@ -213,7 +213,7 @@ ListingComparison compare_listing(Code& listing, std::uint32_t listed_at, Code& 
   return Comparer(listing, listed_at, code, start).result();
 }
 
-std::vector<ListingComparison> find_listing(Code& listing, Code& code, Range range) {
+std::vector<ListingComparison> find_listing(Code& listing, Code& code, CodeRange range) {
   const CanonicalRoutine listed(listing, 0, true);
   std::vector<ListingComparison> equal;
   for (std::uint32_t at = range.first; at < range.end; ++at) {
@@ -226,8 +226,8 @@ std::vector<ListingComparison> find_listing(Code& listing, Code& code, Range ran
   return equal;
 }
 
-std::optional<ListingComparison> find_nearest(Code& listing, Code& code, Range range,
-                                              const std::vector<Range>& taken) {
+std::optional<ListingComparison> find_nearest(Code& listing, Code& code, CodeRange range,
+                                              const std::vector<CodeRange>& taken) {
   const CanonicalRoutine listed(listing, 0, true);
   std::optional<ListingComparison> nearest;
   for (std::uint32_t at = range.first; at < range.end; ++at) {
@@ -238,7 +238,7 @@ std::optional<ListingComparison> find_nearest(Code& listing, Code& code, Range r
     if (!begins_alike(listed, CanonicalRoutine(code, at, false, looked_at))) continue;
     ListingComparison one = compare_listing(listing, 0, code, at);
     const bool is_taken = std::ranges::any_of(
-        taken, [&](Range other) { return one.start < other.end && other.first < one.end; });
+        taken, [&](CodeRange other) { return one.start < other.end && other.first < one.end; });
     if (is_taken || one.end > range.end || 2 * one.differences > listed.size()) continue;
     if (!nearest || one.differences < nearest->differences) nearest = std::move(one);
   }

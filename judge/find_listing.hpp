@@ -37,21 +37,21 @@ ListingComparison compare_listing(Code& listing, std::uint32_t listed_at, Code& 
                                   std::uint32_t start);
 
 /// A part of the code, from `first` up to but not including `end`.
-struct Range {
+struct CodeRange {
   std::uint32_t first = 0;
   std::uint32_t end = 0;
 };
 
 /// Finds every place in the range where the code is the first routine of a listing.
 /// @throws support::Stopped if the user interrupts the search
-std::vector<ListingComparison> find_listing(Code& listing, Code& code, Range range);
+std::vector<ListingComparison> find_listing(Code& listing, Code& code, CodeRange range);
 
 /// Finds the place with the fewest differences. Three of the first six instructions must be those
 /// of the listing, and at most half of the listing's instructions may differ.
 /// @param taken parts of the code that are other listings
 /// @throws support::Stopped if the user interrupts the search
-std::optional<ListingComparison> find_nearest(Code& listing, Code& code, Range range,
-                                              const std::vector<Range>& taken);
+std::optional<ListingComparison> find_nearest(Code& listing, Code& code, CodeRange range,
+                                              const std::vector<CodeRange>& taken);
 
 /// Returns the table that a listing reads: its bytes from the lowest address that it reads to its
 /// end, or nothing if it reads no table. The listing must be assembled for offset 0.

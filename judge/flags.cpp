@@ -18,7 +18,7 @@ using x86model::PF;
 using x86model::SF;
 using x86model::ZF;
 
-constexpr std::uint16_t all = x86model::arithmetic_flags;
+constexpr std::uint16_t all_flags = x86model::arithmetic_flags;
 constexpr std::uint16_t of_result = SF | ZF | PF;
 
 template <std::size_t n>
@@ -68,31 +68,31 @@ FlagEffects flag_effects(const Line& line) {
   };
   if (is_one_of<9>(m, {"add", "adc", "sub", "sbb", "cmp", "neg", "cmpxchg", "xadd", "popf"}) ||
       m.starts_with("cmps") || m.starts_with("scas")) {
-    sets(all, 0);
+    sets(all_flags, 0);
   } else if (m == "inc" || m == "dec") {
-    sets(all & ~CF, 0);
+    sets(all_flags & ~CF, 0);
   } else if (is_one_of<4>(m, {"and", "or", "xor", "test"})) {
-    sets(all & ~AF, AF);
+    sets(all_flags & ~AF, AF);
   } else if (m == "mul" || m == "imul") {
     sets(CF | OF, of_result | AF);
   } else if (m == "div" || m == "idiv") {
-    sets(0, all);
+    sets(0, all_flags);
   } else if (is_one_of<6>(m, {"shl", "sal", "shr", "sar", "shld", "shrd"})) {
     sets(CF | of_result | (shifts_by_one(line) ? OF : 0), AF | (shifts_by_one(line) ? 0 : OF));
   } else if (is_one_of<4>(m, {"rol", "ror", "rcl", "rcr"})) {
     sets(CF | (shifts_by_one(line) ? OF : 0), shifts_by_one(line) ? 0 : OF);
   } else if (m == "bsf" || m == "bsr") {
-    sets(ZF, all & ~ZF);
+    sets(ZF, all_flags & ~ZF);
   } else if (is_one_of<4>(m, {"bt", "bts", "btr", "btc"})) {
     sets(CF, OF | SF | AF | PF);
   } else if (is_one_of<3>(m, {"clc", "stc", "cmc"})) {
     sets(CF, 0);
   } else if (m == "sahf") {
-    sets(all & ~OF, 0);
+    sets(all_flags & ~OF, 0);
   } else if (m == "aam" || m == "aad") {
     sets(of_result, CF | AF | OF);
   } else if (m == "daa" || m == "das") {
-    sets(all & ~OF, OF);
+    sets(all_flags & ~OF, OF);
   } else if (m == "aaa" || m == "aas") {
     sets(CF | AF, of_result | OF);
   }

@@ -16,7 +16,7 @@ namespace {
 using support::UsageError;
 
 /// The address of the first section. It keeps 0 an invalid pointer.
-constexpr std::uint32_t origin = 0x1000;
+constexpr std::uint32_t load_address = 0x1000;
 /// More than there is room for; sections of a damaged file may add up to any size.
 constexpr std::size_t max_code_bytes = 0x100000;
 /// The names that are read, together. Those of C++ may be long, those of a damaged file of any
@@ -109,7 +109,7 @@ class Object {
     for (Elf32_Shdr& section : sections_) {
       if ((section.sh_flags & SHF_ALLOC) == 0) continue;
       const std::uint32_t start = reserve(flat, section.sh_addralign, section.sh_size);
-      section.sh_addr = origin + start;
+      section.sh_addr = load_address + start;
       if (section.sh_type == SHT_NOBITS) continue;
       if (section.sh_offset > bytes_.size() ||
           bytes_.size() - section.sh_offset < section.sh_size) {
@@ -121,7 +121,7 @@ class Object {
     place_common_symbols(flat);
     place_offset_table(flat);
     image_.container = "ELF object";
-    load_flat(image_, flat, origin);
+    load_flat(image_, flat, load_address);
   }
 
   /// Places variables without a section, which older compilers make of `int counter;` in C.
@@ -131,7 +131,7 @@ class Object {
       for (std::uint32_t i = 0; i < table.sh_size / sizeof(Elf32_Sym); ++i) {
         const auto symbol = at<Elf32_Sym>(table.sh_offset + i * sizeof(Elf32_Sym));
         if (symbol.st_shndx != SHN_COMMON) continue;
-        common_[i] = origin + reserve(flat, symbol.st_value, symbol.st_size);
+        common_[i] = load_address + reserve(flat, symbol.st_value, symbol.st_size);
       }
     }
   }
@@ -140,7 +140,7 @@ class Object {
   /// entry gets one of its own.
   void place_offset_table(std::string& flat) {
     flat.resize((flat.size() + 3) / 4 * 4);
-    offset_table_ = next_entry_ = origin + static_cast<std::uint32_t>(flat.size());
+    offset_table_ = next_entry_ = load_address + static_cast<std::uint32_t>(flat.size());
     for (const Elf32_Shdr& list : sections_) {
       if (list.sh_type != SHT_REL || !is_placed(list.sh_info)) continue;
       for (std::uint32_t i = 0; i < list.sh_size / sizeof(Elf32_Rel); ++i) {

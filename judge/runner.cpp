@@ -18,7 +18,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds time_of_case{3000};
 /// A process that claims a step every now and then must end, too.
 constexpr milliseconds time_of_batch{60'000};
-constexpr std::size_t cases_of_batch = 4096;
+constexpr std::size_t cases_in_flight = 4096;
 /// A traced call has at most 100,000 steps.
 constexpr std::size_t longest_trace = std::size_t{1} << 26U;
 
@@ -201,7 +201,7 @@ std::vector<Answer> Runner::answers(std::span<const std::uint32_t> words) {
   const std::size_t in = words_in(subject_.variant);
   std::vector<Answer> all;
   for (std::size_t at = 0; at < words.size();) {
-    const auto some = words.subspan(at, std::min(cases_of_batch * in, words.size() - at));
+    const auto some = words.subspan(at, std::min(cases_in_flight * in, words.size() - at));
     Batch batch = ask(some);
     if (batch.downfall != Downfall::none) {
       Answer dead;

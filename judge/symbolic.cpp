@@ -262,16 +262,16 @@ class Explorer : private SymbolicMachine {
 
   bool computed_from_one(Thread& thread, const std::string& m, const Operand& o, int bits) {
     if (m != "neg" && m != "not" && m != "inc" && m != "dec") return false;
-    const Term none = t_.truth(false);
+    const Term no_borrow = t_.truth(false);
     const Term a = read(thread, o, bits);
     const Term one = t_.constant(1, bits);
-    if (m == "neg") return set(thread, o, sym::sub(t_, t_.constant(0, bits), a, none));
+    if (m == "neg") return set(thread, o, sym::sub(t_, t_.constant(0, bits), a, no_borrow));
     if (m == "not") {
       write(thread, o, t_.bit_xor(a, t_.constant(~std::uint64_t{0}, bits)));
       return true;
     }
     const sym::FlagTerm carry = thread.state.flags.carry;
-    set(thread, o, m == "inc" ? sym::add(t_, a, one, none) : sym::sub(t_, a, one, none));
+    set(thread, o, m == "inc" ? sym::add(t_, a, one, no_borrow) : sym::sub(t_, a, one, no_borrow));
     thread.state.flags.carry = carry;
     return true;
   }

@@ -4,7 +4,7 @@
 #include "tests/check/port_cases.hpp"
 #include "tests/support/test.hpp"
 
-namespace {
+namespace port_presets_test {
 
 using namespace fixproof;
 using cases::Operation;
@@ -143,4 +143,4 @@ TEST(PortPresets, SumsOfProductsAreShiftedOnce) {
   }
 }
 
-}  // namespace
+}  // namespace port_presets_test

@@ -12,7 +12,7 @@
 #include "tests/record/sim.hpp"
 #include "tests/support/scratch_folder.hpp"
 
-namespace {
+namespace desync_test {
 
 using namespace fixproof;
 using desync::Comparison;
@@ -313,4 +313,4 @@ TEST_F(Runs, TheLongestNamesAreCutAndFound) {
   EXPECT_EQ(log.name_with_hash(log.records(0).at(1).name), name.substr(0, 255));
 }
 
-}  // namespace
+}  // namespace desync_test

@@ -16,7 +16,7 @@
 #include "tests/record/sim.hpp"
 #include "tests/support/scratch_folder.hpp"
 
-namespace {
+namespace log_test {
 
 using namespace fixproof;
 using desync::LogFile;
@@ -317,4 +317,4 @@ TEST_F(Log, HasTheDoubleWhoseConversionThrows) {
   EXPECT_EQ(log.records(0).at(0).input, std::bit_cast<std::uint64_t>(1e9));
 }
 
-}  // namespace
+}  // namespace log_test

@@ -11,7 +11,7 @@
 #include "verify/report_json.hpp"
 
 namespace fixproof {
-namespace {
+namespace engine_test {
 
 using test::judge;
 using test::Saboteur;
@@ -254,5 +254,5 @@ TEST(Engine, ARowWithOnePartyIsNotRun) {
   EXPECT_FALSE(report.plan.rows()[0].compared());
 }
 
-}  // namespace
+}  // namespace engine_test
 }  // namespace fixproof

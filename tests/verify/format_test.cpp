@@ -23,7 +23,7 @@
 #include "verify/report_json.hpp"
 
 namespace fixproof {
-namespace {
+namespace format_test {
 
 using Integer = boost::multiprecision::cpp_int;
 using cases::Operation;
@@ -401,5 +401,5 @@ TEST_P(WrongParty, ShardsMergeToTheWhole) {
 }
 INSTANTIATE_TEST_SUITE_P(Formats, WrongParty, testing::Values("q32_32", "u8_8", "q4_4"));
 
-}  // namespace
+}  // namespace format_test
 }  // namespace fixproof

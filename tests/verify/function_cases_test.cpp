@@ -9,7 +9,7 @@
 #include "tests/verify/saboteur.hpp"
 
 namespace fixproof {
-namespace {
+namespace function_cases_test {
 
 using Integer = boost::multiprecision::cpp_int;
 using cases::Operation;
@@ -292,5 +292,5 @@ TEST(FunctionCases, ASoundPartyIsNotFound) {
   }
 }
 
-}  // namespace
+}  // namespace function_cases_test
 }  // namespace fixproof

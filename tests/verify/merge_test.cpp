@@ -8,7 +8,7 @@
 #include "verify/report_json.hpp"
 
 namespace fixproof {
-namespace {
+namespace merge_test {
 
 using Words = std::span<const std::uint32_t>;
 
@@ -128,5 +128,5 @@ TEST(Merging, AnIncompleteSumCanBeFinished) {
   EXPECT_EQ(verify::to_json(sum), verify::to_json(shard({1, 1})));
 }
 
-}  // namespace
+}  // namespace merge_test
 }  // namespace fixproof

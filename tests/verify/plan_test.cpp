@@ -7,7 +7,7 @@
 #include "verify/report.hpp"
 
 namespace fixproof {
-namespace {
+namespace plan_test {
 
 cases::Plan whole_plan(int level) {
   cli::Selection selection;
@@ -156,5 +156,5 @@ TEST(Selection, ReadsShards) {
   }
 }
 
-}  // namespace
+}  // namespace plan_test
 }  // namespace fixproof

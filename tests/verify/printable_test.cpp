@@ -2,7 +2,7 @@
 #include "support/plain_text.hpp"
 #include "tests/support/test.hpp"
 
-namespace {
+namespace printable_test {
 
 using fixproof::support::printable;
 
@@ -36,4 +36,4 @@ TEST(Printable, InAsciiOneQuestionMarkStandsForEachOtherByte) {
   EXPECT_EQ(fixproof::support::printable_ascii(" a~\x7f\n\xc3\xb6\xff"), " a~?????");
 }
 
-}  // namespace
+}  // namespace printable_test

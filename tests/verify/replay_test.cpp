@@ -14,7 +14,7 @@
 #include "verify/engine.hpp"
 
 namespace fixproof {
-namespace {
+namespace replay_test {
 
 struct Shell {
   std::string out;
@@ -190,5 +190,5 @@ TEST(Replay, QuotesTheNamesOfLibraries) {
   ends(line_of("a\x1b[2J.so:mul"), R"($'a\x1b\x5b2J.so:mul')");
 }
 
-}  // namespace
+}  // namespace replay_test
 }  // namespace fixproof

@@ -18,7 +18,7 @@
 #include "verify/report_json.hpp"
 
 namespace fixproof {
-namespace {
+namespace report_test {
 
 using Words = std::span<const std::uint32_t>;
 
@@ -451,5 +451,5 @@ TEST(Reports, WithARowThatNobodyComparesAreNotRead) {
   EXPECT_EQ(read({}), file + ": cossin i386 on is not compared");
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace fixproof

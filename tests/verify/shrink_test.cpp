@@ -5,7 +5,7 @@
 #include "tests/verify/saboteur.hpp"
 
 namespace fixproof {
-namespace {
+namespace shrink_test {
 
 using Words = std::vector<std::uint32_t>;
 using Said = std::pair<std::string, std::string>;
@@ -62,5 +62,5 @@ TEST(Shrink, MismatchesOfARunAreShrunkWithWhatEveryPartySays) {
   }
 }
 
-}  // namespace
+}  // namespace shrink_test
 }  // namespace fixproof

@@ -6,7 +6,7 @@
 #include "tests/support/test.hpp"
 
 namespace fixproof {
-namespace {
+namespace streams_test {
 
 constexpr std::size_t sample = 4096;
 constexpr std::uint64_t seed = 7;
@@ -413,5 +413,5 @@ TEST(Streams, RootTiesLieOnBothSidesOfHalfway) {
             sample / 20);
 }
 
-}  // namespace
+}  // namespace streams_test
 }  // namespace fixproof

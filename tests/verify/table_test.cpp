@@ -9,7 +9,7 @@
 #include "tests/verify/saboteur.hpp"
 
 namespace fixproof {
-namespace {
+namespace table_test {
 
 using Words = std::span<const std::uint32_t>;
 
@@ -117,5 +117,5 @@ TEST(Progress, EstimatesFromTheChunksOfThisRunAlone) {
   EXPECT_LT(text.size(), 80U);
 }
 
-}  // namespace
+}  // namespace table_test
 }  // namespace fixproof

@@ -11,7 +11,7 @@
 #include "tests/fixed/formats/types.hpp"
 #include "tests/support/test.hpp"
 
-namespace {
+namespace arithmetic_test {
 
 using fixproof::rounding;
 using reference::integer;
@@ -183,7 +183,7 @@ struct MixedCalls {
 
   template <class N, class Int>
   static MixedCalls of() {
-    return {Type::of<fixproof::number<Int, 0>>(), ::call<N, Int>,
+    return {Type::of<fixproof::number<Int, 0>>(), arithmetic_test::call<N, Int>,
             [](Word i) { return word_of(N(static_cast<Int>(i))); }};
   }
 };
@@ -335,4 +335,4 @@ TEST(Formats, RootsOfWordsBesideSquaresAndHalves) {
   check(~std::uint64_t{0});
 }
 
-}  // namespace
+}  // namespace arithmetic_test

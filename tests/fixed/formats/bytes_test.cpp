@@ -4,7 +4,7 @@
 #include "fixed/fixed.hpp"
 #include "tests/support/test.hpp"
 
-namespace {
+namespace bytes_test {
 
 using namespace fixproof;
 constexpr auto little = std::endian::little;
@@ -78,4 +78,4 @@ TEST(Bytes, NativeIsTheOrderOfMemory) {
   EXPECT_EQ(to_bytes<std::endian::native>(x), memory);
 }
 
-}  // namespace
+}  // namespace bytes_test

@@ -12,7 +12,7 @@
 #include "tests/fixed/formats/types.hpp"
 #include "tests/support/test.hpp"
 
-namespace {
+namespace checked_test {
 
 using fixproof::overflow;
 using reference::integer;
@@ -384,4 +384,4 @@ TEST(Literals, AreExactOrRounded) {
   SUCCEED();
 }
 
-}  // namespace
+}  // namespace checked_test

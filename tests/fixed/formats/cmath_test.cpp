@@ -10,7 +10,7 @@
 #include "fixed/fixed.hpp"
 #include "tests/support/test.hpp"
 
-namespace {
+namespace cmath_test {
 
 using fixproof::number;
 
@@ -129,4 +129,4 @@ TEST(Cmath, DivisionByZeroIsThatOfThePolicy) {
 
 static_assert(remainder(fixproof::q16_16(9.5), fixproof::q16_16(2)) == fixproof::q16_16(-0.5));
 
-}  // namespace
+}  // namespace cmath_test

@@ -5,7 +5,7 @@
 #include "tests/fixed/formats/integer.hpp"
 #include "tests/support/test.hpp"
 
-namespace {
+namespace constants_test {
 
 using namespace fixproof;
 using reference::integer;
@@ -16,7 +16,7 @@ const integer unit = integer(1) << precision;
 
 integer times(const integer& a, const integer& b) { return (a * b) >> precision; }
 integer over(const integer& a, const integer& b) { return (a << precision) / b; }
-integer root(const integer& a) { return reference::floor_root(a << precision); }
+integer scaled_root(const integer& a) { return reference::floor_root(a << precision); }
 
 /// The sum of sign^k / ((2k + 1) n^(2k + 1)): atan(1/n) if sign is -1, atanh(1/n) if it is 1.
 integer inverse_tangent(int n, int sign) {
@@ -137,7 +137,7 @@ TEST(Constants, Circle) {
   EXPECT_CONSTANT(tau, 2 * pi, 3);
   EXPECT_CONSTANT(half_pi, pi / 2, 1);
   EXPECT_CONSTANT(inv_pi, over(unit, pi), -1);
-  EXPECT_CONSTANT(inv_sqrtpi, root(over(unit, pi)), 0);
+  EXPECT_CONSTANT(inv_sqrtpi, scaled_root(over(unit, pi)), 0);
 }
 
 TEST(Constants, Logarithms) {
@@ -149,10 +149,10 @@ TEST(Constants, Logarithms) {
 }
 
 TEST(Constants, Roots) {
-  EXPECT_CONSTANT(sqrt2, root(2 * unit), 1);
-  EXPECT_CONSTANT(sqrt3, root(3 * unit), 1);
-  EXPECT_CONSTANT(inv_sqrt3, root(unit / 3), 0);
-  EXPECT_CONSTANT(phi, (unit + root(5 * unit)) / 2, 1);
+  EXPECT_CONSTANT(sqrt2, scaled_root(2 * unit), 1);
+  EXPECT_CONSTANT(sqrt3, scaled_root(3 * unit), 1);
+  EXPECT_CONSTANT(inv_sqrt3, scaled_root(unit / 3), 0);
+  EXPECT_CONSTANT(phi, (unit + scaled_root(5 * unit)) / 2, 1);
   EXPECT_CONSTANT(egamma, euler_mascheroni(), 0);
 }
 
@@ -170,12 +170,12 @@ TEST(Constants, Words) {
   expect(detail::constants::ln10, ln10);
   expect(detail::constants::log2e, over(unit, ln2));
   expect(detail::constants::log10e, over(unit, ln10));
-  expect(detail::constants::sqrt2, root(2 * unit));
-  expect(detail::constants::sqrt3, root(3 * unit));
+  expect(detail::constants::sqrt2, scaled_root(2 * unit));
+  expect(detail::constants::sqrt3, scaled_root(3 * unit));
   expect(detail::constants::inv_pi, over(unit, pi));
-  expect(detail::constants::inv_sqrtpi, root(over(unit, pi)));
-  expect(detail::constants::inv_sqrt3, root(unit / 3));
-  expect(detail::constants::phi, (unit + root(5 * unit)) / 2);
+  expect(detail::constants::inv_sqrtpi, scaled_root(over(unit, pi)));
+  expect(detail::constants::inv_sqrt3, scaled_root(unit / 3));
+  expect(detail::constants::phi, (unit + scaled_root(5 * unit)) / 2);
   expect(detail::constants::egamma, euler_mascheroni());
 }
 
@@ -206,4 +206,4 @@ TEST(IntegerConstant, IsThatValue) {
                 std::numeric_limits<std::int32_t>::min());
 }
 
-}  // namespace
+}  // namespace constants_test

@@ -13,7 +13,7 @@
 #include "tests/fixed/formats/types.hpp"
 #include "tests/support/test.hpp"
 
-namespace {
+namespace conversion_test {
 
 using reference::integer;
 using reference::number_of;
@@ -229,7 +229,7 @@ struct MixedCalls {
   template <class To, class A, class B>
   static MixedCalls of() {
     return {Type::of<To>(), Type::of<A>(), Type::of<B>(),
-            [](Word x) { return word_of(To(number_of<A>(x))); }, ::call<To, A, B>};
+            [](Word x) { return word_of(To(number_of<A>(x))); }, conversion_test::call<To, A, B>};
   }
 };
 
@@ -300,4 +300,4 @@ struct BetweenCalls {
       for (const MixedCalls& mixed : calls.mixed) expect_all_right(mixed);
     });
 
-}  // namespace
+}  // namespace conversion_test

@@ -11,7 +11,7 @@
 
 #include "fixed/format.hpp"
 
-namespace {
+namespace text_test {
 
 using fixproof::rounding;
 using reference::integer;
@@ -275,4 +275,4 @@ std::vector<Decimal> decimals_of(const Type& type) {
       }
     });
 
-}  // namespace
+}  // namespace text_test

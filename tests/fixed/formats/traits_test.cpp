@@ -10,7 +10,7 @@
 #include "tests/fixed/formats/types.hpp"
 #include "tests/support/test.hpp"
 
-namespace {
+namespace traits_test {
 
 using namespace fixproof;
 
@@ -171,4 +171,4 @@ TEST(Refused, DoesNotCompileToConcepts) {
   static_assert(!std::is_assignable_v<q16_16&, int> && !std::is_assignable_v<q16_16&, q8_8>);
 }
 
-}  // namespace
+}  // namespace traits_test

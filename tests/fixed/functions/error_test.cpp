@@ -6,7 +6,7 @@
 #include "tests/fixed/functions/functions.hpp"
 #include "tests/support/ending.hpp"
 
-namespace {
+namespace error_test {
 
 using namespace fixproof;
 using functions::Named;
@@ -106,4 +106,4 @@ TEST(FunctionErrors, Of15FractionBitsIn16) {
              "rsqrt",        "reciprocal",   "atan2",        "hypot", "pow"}));
 }
 
-}  // namespace
+}  // namespace error_test

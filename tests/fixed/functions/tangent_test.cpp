@@ -8,7 +8,7 @@
 #include "tests/support/each_type.hpp"
 #include "tests/support/ending.hpp"
 
-namespace {
+namespace tangent_test {
 
 using namespace fixproof;
 using oracle::Function;
@@ -195,4 +195,4 @@ TEST_OF_EACH(NextToPoles, TangentsAreNearest, Formats, every_format) {
   }
 }
 
-}  // namespace
+}  // namespace tangent_test
