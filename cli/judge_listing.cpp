@@ -184,7 +184,8 @@ std::string confirmed_text(const Sought& sought) {
 }
 
 /// @param taken the places of the listings that are confirmed
-std::string missing_text(Sought& sought, Search& search, const std::vector<judge::CodeRange>& taken) {
+std::string missing_text(Sought& sought, Search& search,
+                         const std::vector<judge::CodeRange>& taken) {
   const std::string other = other_build_text(sought.key, search);
   const auto nearest = search.nearest(sought.listing, taken);
   if (!nearest) return "NOT FOUND\n" + other;
