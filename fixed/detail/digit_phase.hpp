@@ -31,10 +31,11 @@ constexpr phase phase_of(std::int64_t raw, int fraction_bits, angle_unit unit,
 }
 
 /// The sine or cosine of a part of a quarter turn.
-constexpr real sine_of(real part, bool is_cosine) noexcept {
-  part *= half_pi;
-  take_sine(part, is_cosine);
-  return part;
+constexpr real sine_of(const real& part, bool is_cosine) noexcept {
+  real sine = part;
+  sine *= half_pi;
+  take_sine(sine, is_cosine);
+  return sine;
 }
 
 constexpr std::int64_t sine_ulps(std::int64_t raw, unsigned ahead, int fraction_bits,

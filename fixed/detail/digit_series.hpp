@@ -32,9 +32,10 @@ inline constexpr real log10_2(real_log10_2);
 inline constexpr real pi(real_pi);
 inline constexpr real two_over_pi(real_2_over_pi);
 
-constexpr real half_of(real x) noexcept {
-  x.shift(-1);
-  return x;
+constexpr real half_of(const real& x) noexcept {
+  real half = x;
+  half.shift(-1);
+  return half;
 }
 inline constexpr real half_pi = half_of(pi);
 

@@ -32,6 +32,9 @@ inline constexpr int short_digit = 96 / digit_bits;
 /// An operation rounds to the units of the number that it changes. If that is short, and the other
 /// is not, the operation ignores the lower bits of the other: below 2^-88 in sums and divisors, and
 /// below 2^-96 in factors.
+///
+/// Functions take it by reference: if one that is not inlined takes it by value, g++ 12 can forget
+/// to compute a number that a caller passes on from a reference (-fno-ipa-modref is right).
 class real {
  public:
   constexpr real() noexcept = default;

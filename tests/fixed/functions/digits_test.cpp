@@ -27,11 +27,12 @@ using words::logarithm_base;
 using words::triangle_side;
 
 /// All bits of digits, or the lower 224 of words.
-std::array<std::uint64_t, 4> bits_of(digits::real x) {
+std::array<std::uint64_t, 4> bits_of(const digits::real& x) {
+  digits::real rest = x;
   std::array<std::uint64_t, 4> bits{};
   for (std::uint64_t& part : bits) {
-    part = static_cast<std::uint64_t>(x.units());
-    x.shift(-64);
+    part = static_cast<std::uint64_t>(rest.units());
+    rest.shift(-64);
   }
   return bits;
 }
