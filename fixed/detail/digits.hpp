@@ -33,8 +33,8 @@ inline constexpr int short_digit = 96 / digit_bits;
 /// is not, the operation ignores the lower bits of the other: below 2^-88 in sums and divisors, and
 /// below 2^-96 in factors.
 ///
-/// Functions take it by reference: if one that is not inlined takes it by value, g++ 12 can forget
-/// to compute a number that a caller passes on from a reference (-fno-ipa-modref is right).
+/// Functions take it by reference. g++ 12 can leave out the call that computes a number, if who got
+/// it by reference only passes a copy on to a function that is not inlined (bug of ipa-modref).
 class real {
  public:
   constexpr real() noexcept = default;

@@ -9,6 +9,7 @@
 namespace pipeline {
 
 #if defined(FIXPROOF_FEW_TYPES)
+// Sanitizers watch the code of the stages, which is the same for every preset.
 using all_types = testing::Types<double, fixproof::q16_16, fixproof::q16_16_trapping,
                                  fixproof::q16_16_i8088_unrounded>;
 using multiplying_types = all_types;
@@ -32,7 +33,7 @@ constexpr bool multiply_alike(fixproof::policy a, const fixproof::policy& b) {
   a.fault = b.fault;
   return a == b;
 }
-// Each preset missing from multiplying_types multiplies, adds and subtracts like a listed one.
+// Each preset missing from the longer multiplying_types multiplies, adds and subtracts like a listed one.
 static_assert(multiply_alike(fixproof::policies::i386_rounded, fixproof::policies::wrapping));
 static_assert(multiply_alike(fixproof::policies::i386_mul_rounded, fixproof::policies::wrapping));
 static_assert(multiply_alike(fixproof::policies::i386_div_rounded,
