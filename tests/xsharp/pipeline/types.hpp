@@ -33,7 +33,7 @@ constexpr bool multiply_alike(fixproof::policy a, const fixproof::policy& b) {
   a.fault = b.fault;
   return a == b;
 }
-// Each preset missing from the longer multiplying_types multiplies, adds and subtracts like a listed one.
+// Each preset that the longer list lacks multiplies, adds and subtracts like a listed one.
 static_assert(multiply_alike(fixproof::policies::i386_rounded, fixproof::policies::wrapping));
 static_assert(multiply_alike(fixproof::policies::i386_mul_rounded, fixproof::policies::wrapping));
 static_assert(multiply_alike(fixproof::policies::i386_div_rounded,
