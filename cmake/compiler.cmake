@@ -23,7 +23,7 @@ elseif(FIXPROOF_TOOLS)
 endif()
 
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  # g++ collects its garbage less often, in kB, and takes 6 % less time.
+  # In kB. g++ collects garbage less often, and takes 6 % less time or better.
   add_compile_options(--param=ggc-min-heapsize=524288)
 endif()
 
