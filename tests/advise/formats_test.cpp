@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "fixed/fixed.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "trade/advice/fraction_number.hpp"
 #include "trade/advice/screen_corners.hpp"
@@ -80,7 +81,7 @@ void expect_same_corners(const xsharp::Scene& scene) {
 
 TEST(FractionNumber, With16FractionBitsDrawsEveryScene) {
   int scenes = 0;
-  for (const auto& file : std::filesystem::directory_iterator(SCENES)) {
+  for (const auto& file : std::filesystem::directory_iterator(paths::source("scenes"))) {
     if (file.path().extension() != ".json") continue;
     SCOPED_TRACE(file.path());
     expect_same_corners(xsharp::read_scene(file.path().string()));

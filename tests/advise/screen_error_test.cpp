@@ -4,6 +4,7 @@
 
 #include "fixed/fixed.hpp"
 #include "player/players.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "trade/advice/screen_corners.hpp"
 #include "trade/drift/run.hpp"
@@ -74,7 +75,7 @@ TEST(ScreenError, IsThatOfTheWorstFrameAndObject) {
 }
 
 TEST(ScreenError, SharedMotionsChangeNothing) {
-  const xsharp::Scene scene = xsharp::read_scene(SCENES "/twelve_cubes.json");
+  const xsharp::Scene scene = xsharp::read_scene(paths::scene("twelve_cubes.json"));
   const auto choices = trade::choices_on({});
   std::uint64_t frames = 30;
   const std::atomic<bool> stop = false;
@@ -140,7 +141,9 @@ int compare_with_drawn(const std::string& file, const xsharp::ArithmeticChoice& 
 
 TEST(ScreenCorners, AreWhatIsDrawn) {
   using namespace fixproof;
-  for (const char* file : {SCENES "/ball_and_cubes.json", SCENES "/shaded_ball.json", PASSING_BY}) {
+  for (const std::string& file :
+       {paths::scene("ball_and_cubes.json"), paths::scene("shaded_ball.json"),
+        paths::source("tests/scenes/passing_by.json")}) {
     EXPECT_GT(compare_with_drawn<q16_16_i386>(file, {"type", "i386", true, true}), 1000) << file;
     EXPECT_GT(compare_with_drawn<q16_16_i386_unrounded>(file, {"type", "i386", false, false}), 1000)
         << file;
@@ -153,7 +156,7 @@ TEST(ScreenCorners, AreWhatIsDrawn) {
 // Drift measures only the motion. The 386's transform and divide add little: 3 products, a quotient
 // and its product are off by at most a unit each. A unit of the quotient is 320 on the screen.
 TEST(ScreenError, IsBorneOutByDrift) {
-  const xsharp::Scene scene = xsharp::read_scene(SCENES "/twelve_cubes.json");
+  const xsharp::Scene scene = xsharp::read_scene(paths::scene("twelve_cubes.json"));
   for (const bool mul_round : {true, false}) {
     for (const trade::Turning& turning :
          {trade::Turning{}, trade::Turning{false, 60}, trade::Turning{true, 0}}) {

@@ -5,6 +5,7 @@
 
 #include "fixed/formats.hpp"
 #include "tests/fixed/functions/hard_words.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 
 namespace batch_test {
@@ -106,17 +107,19 @@ TEST(BatchFunctions, AResultMayReplaceAnOperand) {
 
 /// The words nearest to a tie, each in one lane of a block of others.
 TEST(BatchFunctions, HardWords) {
-  functions::for_each_hard_word(HARD_WORDS, []<class N>(const functions::HardWord& word) {
-    const BatchFunction<N>& f = functions::named(all_functions<N>, word.function);
-    Numbers<N> x(16, N(0.5));
-    x[5] = N::from_raw(static_cast<typename N::raw_type>(word.operand));
-    for (const batch::path path : every_path) {
-      Numbers<N> results(x.size());
-      f.many(x, x, results, path);
-      EXPECT_EQ(results[5].raw(), word.result) << f.name << " of raw " << word.operand;
-      EXPECT_EQ(results[4], f.one(x[4], x[4])) << f.name;
-    }
-  });
+  functions::for_each_hard_word(
+      paths::source("tests/fixed/functions/hard_words.txt"),
+      []<class N>(const functions::HardWord& word) {
+        const BatchFunction<N>& f = functions::named(all_functions<N>, word.function);
+        Numbers<N> x(16, N(0.5));
+        x[5] = N::from_raw(static_cast<typename N::raw_type>(word.operand));
+        for (const batch::path path : every_path) {
+          Numbers<N> results(x.size());
+          f.many(x, x, results, path);
+          EXPECT_EQ(results[5].raw(), word.result) << f.name << " of raw " << word.operand;
+          EXPECT_EQ(results[4], f.one(x[4], x[4])) << f.name;
+        }
+      });
 }
 
 /// A word next to a pole, in each lane of a block of others.

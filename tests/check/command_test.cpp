@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 
@@ -270,7 +271,7 @@ TEST(CheckCommand, LineWithoutAnEnd) {
   EXPECT_EQ(
       command::run({"sh", "-c",
                     "head -c 100000000 /dev/zero | \"$0\" check mul --cases 3 --rounding floor",
-                    FIXPROOF_COMMAND})
+                    paths::command()})
           .status,
       2);
 }

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <thread>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 
@@ -126,7 +127,7 @@ Run run(std::vector<std::string> arguments, std::string_view input, Output outpu
 }
 
 std::vector<std::string> command(std::string_view arguments) {
-  std::vector<std::string> words{FIXPROOF_COMMAND};
+  std::vector<std::string> words{paths::command()};
   for (const std::string& word : split(arguments, ' ')) {
     if (!word.empty()) words.push_back(word);
   }

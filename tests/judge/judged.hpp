@@ -6,18 +6,21 @@
 #include <vector>
 
 #include "tests/cli/command.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 
 namespace judged {
 
 /// Runs judge on a file. The words of `options` are separated by `|`, because frames have spaces.
 inline command::Run judge(const std::string& file, const std::string& options) {
-  std::vector<std::string> words{FIXPROOF_COMMAND, "judge", file};
+  std::vector<std::string> words{paths::command(), "judge", file};
   for (const std::string& word : command::split(options, '|')) words.push_back(word);
   return command::run(words);
 }
 
-inline std::string routine(const std::string& name) { return JUDGE_ROUTINES + name + ".asm"; }
+inline std::string routine(const std::string& name) {
+  return paths::source("tests/judge/routines/" + name + ".asm");
+}
 
 /// The options for a 32-bit multiply of eax and ebx.
 inline const std::string in_registers = "--bits|32|--frame|eax, ebx -> eax|--as|mul";

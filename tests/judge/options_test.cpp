@@ -1,5 +1,6 @@
 // Options and files that users get wrong.
 #include "tests/judge/judged.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 
@@ -47,7 +48,7 @@ TEST(JudgeOptions, AFileWhoseNameLooksLikeAnOption) {
       "cd \"$1\" && exec \"$2\" judge --as mul --bits 32 --cases 5000 --frame "
       "'eax, ebx -> eax' -- \"$3\"";
   const auto judge_there = [&](const std::string& name) {
-    return command::run({"sh", "-c", command, "sh", folder.path(), FIXPROOF_COMMAND, name});
+    return command::run({"sh", "-c", command, "sh", folder.path(), paths::command(), name});
   };
   folder.write("-Pmul.asm", "imul ebx\nshrd eax, edx, 16\nret\n");
   expect(judge_there("-Pmul.asm"), 0, {"AGREES on 5,000 cases"});

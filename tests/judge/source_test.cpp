@@ -14,6 +14,7 @@
 
 #include "judge/tool.hpp"
 #include "tests/judge/judged.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 
@@ -202,7 +203,7 @@ void expect_nothing_left(const std::string& text) {
     // A session cannot be left, so its number finds all processes that are begun in it.
     setsid();
     setenv("TMPDIR", temporary.c_str(), 1);
-    execl(FIXPROOF_COMMAND, "fixproof", "judge", source.c_str(), "--as", "mul", nullptr);
+    execl(paths::command().c_str(), "fixproof", "judge", source.c_str(), "--as", "mul", nullptr);
     _exit(127);
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(700));

@@ -5,6 +5,7 @@
 #include "machine_code/machine_code.hpp"
 #include "machine_code/processor.hpp"
 #include "parties/answer.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "verify/engine.hpp"
 
@@ -62,7 +63,7 @@ void refuse_segments() {
 /// Turns the process into `fixproof verify mul OPTION VALUE` without segments.
 void verify_without_segments(const char* option, const char* value) {
   refuse_segments();
-  execl(FIXPROOF_COMMAND, FIXPROOF_COMMAND, "verify", "mul", option, value, nullptr);
+  execl(paths::command().c_str(), "fixproof", "verify", "mul", option, value, nullptr);
 }
 
 // NOLINTEND(cppcoreguidelines-pro-type-vararg)

@@ -6,6 +6,7 @@
 #include "cases/streams.hpp"
 #include "machine_code/machine_code.hpp"
 #include "tests/cli/command.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 
@@ -148,8 +149,7 @@ TEST_F(Dos, WritesTheSameToAFileAndToAPipe) {
 
 TEST_F(Dos, WritesNothingToATerminal) {
   if (!command::has("script")) GTEST_SKIP() << "script(1) is not installed";
-  const auto run =
-      command::run({"script", "-qec", std::string(FIXPROOF_COMMAND) + " dos mul", "/dev/null"});
+  const auto run = command::run({"script", "-qec", paths::command() + " dos mul", "/dev/null"});
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.out.find("does not write a program to a terminal"), std::string::npos) << run.out;
   EXPECT_EQ(run.out.find('\xE8'), std::string::npos);

@@ -3,35 +3,38 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 
 namespace {
 
 TEST(MeasureCommand, WantsOneThingToMeasure) {
-  for (const char* arguments :
-       {"measure",
-        "measure --accuracy --clocks",
-        "measure --accuracy --cases 0",
-        "measure --accuracy --seed -1",
-        "measure --clocks no/such/scene.json",
-        "measure --host --accuracy",
-        "measure --host " SCENES "/solid.json",
-        "measure --clocks --rounds 3",
-        "measure --host --rounds 0",
-        "measure --host --json /no/such/folder/file",
-        "measure --stepping --clocks",
-        "measure --stepping " SCENES "/solid.json",
-        "measure --accuracy --rounds 3",
-        "measure --stepping --cases 0",
-        "measure --stepping --json /no/such/folder/file",
-        "measure --accuracy --json /no/such/folder/file",
-        "measure --host --format q2_30",
-        "measure --format q2_30",
-        "measure --accuracy --format q2_31",
-        "measure --accuracy --format q5_3",
-        "measure --accuracy --format q2_30 " SCENES "/solid.json",
-        "measure --accuracy " SCENES "/solid.json --json " SCENES "/dodecahedron.obj"}) {
+  const std::vector<std::string> refused{
+      "measure",
+      "measure --accuracy --clocks",
+      "measure --accuracy --cases 0",
+      "measure --accuracy --seed -1",
+      "measure --clocks no/such/scene.json",
+      "measure --host --accuracy",
+      "measure --host " + paths::scene("solid.json"),
+      "measure --clocks --rounds 3",
+      "measure --host --rounds 0",
+      "measure --host --json /no/such/folder/file",
+      "measure --stepping --clocks",
+      "measure --stepping " + paths::scene("solid.json"),
+      "measure --accuracy --rounds 3",
+      "measure --stepping --cases 0",
+      "measure --stepping --json /no/such/folder/file",
+      "measure --accuracy --json /no/such/folder/file",
+      "measure --host --format q2_30",
+      "measure --format q2_30",
+      "measure --accuracy --format q2_31",
+      "measure --accuracy --format q5_3",
+      "measure --accuracy --format q2_30 " + paths::scene("solid.json"),
+      "measure --accuracy " + paths::scene("solid.json") + " --json " +
+          paths::scene("dodecahedron.obj")};
+  for (const std::string& arguments : refused) {
     command::expect_refused(arguments, "");
   }
 }

@@ -9,6 +9,7 @@
 #include "desync/compare.hpp"
 #include "tests/cli/command.hpp"
 #include "tests/record/sim.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace {
@@ -72,7 +73,7 @@ TEST_F(Rollbacks, AreComparedByTheLastSimulation) {
 TEST_F(Rollbacks, ThatAreComparedFromTheirBeginningAreInDifferentFrames) {
   play(a(), 3, 60);
   play(b(), 5, 60);
-  const command::Run found = command::run({FIXPROOF_COMMAND, "desync", a(), b()});
+  const command::Run found = command::run({paths::command(), "desync", a(), b()});
   EXPECT_EQ(found.status, 1);
   // A simulates frames 0 to 2 again, B first simulates frames 3 and 4.
   command::expect_contains(found.out, " (frame 0), ");

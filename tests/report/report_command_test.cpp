@@ -6,6 +6,7 @@
 #include "support/file.hpp"
 #include "support/folder_lock.hpp"
 #include "tests/cli/command.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using command::expect_contains;
 
-constexpr const char* cubes = SCENES "/twelve_cubes.json";
+const std::string cubes = paths::scene("twelve_cubes.json");
 
 /// A folder that does not exist yet.
 class Folder {
@@ -41,8 +42,8 @@ std::string contents(const std::string& file) {
 
 TEST(ReportCommand, WritesThePageAndItsData) {
   const Folder out;
-  const auto run = command::fixproof(std::string("report ") + cubes +
-                                     " " SCENES "/phong.json --quick --out " + out.path());
+  const auto run = command::fixproof("report " + cubes + " " + paths::scene("phong.json") +
+                                     " --quick --out " + out.path());
   ASSERT_EQ(run.status, 0) << run.out << run.err;
   expect_contains(run.out, "report.html");
 
@@ -97,10 +98,11 @@ TEST(ReportCommand, WritesThePageAndItsData) {
 TEST(ReportCommand, FindsTheScenesOfTheCurrentFolder) {
   const Folder out;
   fs::create_directories(out.path());
-  fs::create_directory_symlink(SCENES, out.file("scenes"));
-  const auto run = command::run({"sh", "-c",
-                                 "cd '" + out.path() + "' && exec " + INTERRUPTED + " INT 0.1 " +
-                                     FIXPROOF_COMMAND + " report --out page"});
+  fs::create_directory_symlink(paths::source("scenes"), out.file("scenes"));
+  const auto run =
+      command::run({"sh", "-c",
+                    "cd '" + out.path() + "' && exec " + paths::source("tests/cli/interrupted") +
+                        " INT 0.1 " + paths::command() + " report --out page"});
   EXPECT_EQ(run.status, 130) << run.err;
   expect_contains(run.out, "STOPPED after 0 of 12 ");
 }
@@ -109,16 +111,15 @@ TEST(ReportCommand, KeepsASecondRunOutOfItsFolder) {
   const Folder out;
   fs::create_directories(out.path());
   const fixproof::support::FolderLock lock("--out", out.path());
-  const auto run =
-      command::fixproof(std::string("report ") + cubes + " --quick --out " + out.path());
+  const auto run = command::fixproof("report " + cubes + " --quick --out " + out.path());
   EXPECT_EQ(run.status, 2);
   expect_contains(run.err, "another run writes to this folder");
 }
 
 TEST(ReportCommand, TellsScenesApartByTheirNames) {
   const Folder out;
-  const auto run = command::fixproof(std::string("report ") + cubes + " " + cubes +
-                                     " --quick --out " + out.path());
+  const auto run =
+      command::fixproof("report " + cubes + " " + cubes + " --quick --out " + out.path());
   EXPECT_EQ(run.status, 2);
   expect_contains(run.err, "both named twelve cubes");
 }
@@ -154,14 +155,14 @@ TEST(ReportCommand, ReadsEachSceneOnce) {
   fs::create_directories(out.path());
   const std::string scene = out.file("scene.json");
   fs::copy_file(cubes, scene);
-  const auto run =
-      command::run({"bash", "-c", R"(
+  const auto run = command::run({"bash", "-c", R"(
       "$1" report "$2" --quick --out "$3" &
       until [[ -s $3/data/verify.json ]]; do kill -0 $! || break; sleep 0.01; done
       [[ ! -e $3/report.html ]] || exit 3
       cp "$4" "$3/other" && mv "$3/other" "$2"
       wait $!)",
-                    "changing", FIXPROOF_COMMAND, scene, out.path(), SCENES "/shaded_ball.json"});
+                                 "changing", paths::command(), scene, out.path(),
+                                 paths::scene("shaded_ball.json")});
   EXPECT_EQ(run.status, 0) << run.out << run.err;
   const auto json = nlohmann::json::parse(fixproof::support::read_file(out.file("report.json")));
   EXPECT_EQ(json.at("made").at("scenes"), nlohmann::json({"twelve cubes"}));
@@ -174,8 +175,8 @@ TEST(ReportCommand, ReadsEachSceneOnce) {
 TEST(ReportCommand, LeavesNoPageWhenStopped) {
   const Folder out;
   // The first step of a full report takes seconds, so the signal arrives before it ends.
-  const auto run = command::run(
-      {INTERRUPTED, "INT", "0.1", FIXPROOF_COMMAND, "report", cubes, "--out", out.path()});
+  const auto run = command::run({paths::source("tests/cli/interrupted"), "INT", "0.1",
+                                 paths::command(), "report", cubes, "--out", out.path()});
   EXPECT_EQ(run.status, 130) << run.err;
   expect_contains(run.out, "STOPPED after 0 of ");
   EXPECT_FALSE(fs::exists(out.file("report.html")));
@@ -185,9 +186,8 @@ TEST(ReportCommand, SaysWhatIsWrong) {
   const Folder out;
   for (const std::string& arguments :
        {std::string("report no_such_scene.json --out ") + out.path(),
-        std::string("report ") + cubes + " --out /dev/null/x",
-        std::string("report ") + cubes + " --seed -1", std::string("report --out ") + out.path(),
-        std::string("report ") + cubes + " --out "}) {
+        "report " + cubes + " --out /dev/null/x", "report " + cubes + " --seed -1",
+        std::string("report --out ") + out.path(), "report " + cubes + " --out "}) {
     const auto run = command::fixproof(arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_EQ(command::split(run.err, '\n').size(), 2U) << run.err;

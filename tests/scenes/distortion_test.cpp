@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "trade/drift/run.hpp"
 #include "xsharp/files/scene_json.hpp"
@@ -13,9 +14,7 @@ namespace {
 
 constexpr trade::Placement straight{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -100}}};
 
-xsharp::Scene twelve_cubes() {
-  return xsharp::read_scene(fmt::format("{}/twelve_cubes.json", SCENES));
-}
+xsharp::Scene twelve_cubes() { return xsharp::read_scene(paths::scene("twelve_cubes.json")); }
 
 TEST(Distortion, OfARotationIsNone) {
   const double c = std::cos(1.0);

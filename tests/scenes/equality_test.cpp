@@ -6,6 +6,7 @@
 #include "player/dump.hpp"
 #include "player/players.hpp"
 #include "tests/scenes/all_arithmetics.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
@@ -55,7 +56,7 @@ int expect_equal(const std::string& name, xsharp::ArithmeticChoice choice) {
   return compared;
 }
 
-class Equality : public testing::TestWithParam<const char*> {};
+class Equality : public testing::TestWithParam<std::string> {};
 
 TEST_P(Equality, ModelAndTypeDrawTheSame) {
   int variants = 0;
@@ -67,21 +68,21 @@ TEST_P(Equality, ModelAndTypeDrawTheSame) {
   EXPECT_EQ(variants, 12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Equality,
-                         testing::Values(SCENES "/twelve_cubes.json", SCENES "/ball_and_cubes.json",
-                                         SCENES "/shaded_ball.json", SCENES "/solid.json",
-                                         SCENES "/lost_carry.json", SCENES "/look_at.json",
-                                         GOLDEN "/../passing_by.json"),
-                         [](const auto& scene) {
-                           return std::filesystem::path(scene.param).stem().string();
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Equality,
+    testing::Values(paths::scene("twelve_cubes.json"), paths::scene("ball_and_cubes.json"),
+                    paths::scene("shaded_ball.json"), paths::scene("solid.json"),
+                    paths::scene("lost_carry.json"), paths::scene("look_at.json"),
+                    paths::source("tests/scenes/passing_by.json")),
+    [](const auto& scene) { return std::filesystem::path(scene.param).stem().string(); });
 
 // The tests above would not notice a variant that uses another variant's rules.
 TEST(Variants, EachDrawsDifferently) {
   std::map<std::string, std::string> dumps;
   // In the first scene the viewer's position has no fraction, so the repaired 8088 draws like the
   // printed one. The second scene has too few cubes to show whether divides round.
-  for (const char* file : {SCENES "/twelve_cubes.json", SCENES "/lost_carry.json"}) {
+  for (const std::string& file :
+       {paths::scene("twelve_cubes.json"), paths::scene("lost_carry.json")}) {
     const xsharp::Scene scene = xsharp::read_scene(file);
     for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
       const auto player = player::make_player(scene, choice);

@@ -8,6 +8,7 @@
 #include "player/players.hpp"
 #include "player/surfaces.hpp"
 #include "tests/scenes/all_arithmetics.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
@@ -41,8 +42,10 @@ std::string read(const std::string& path) {
   return text.str();
 }
 
+std::string golden(const std::string& file) { return paths::source("tests/scenes/golden/" + file); }
+
 void expect_golden(const std::string& name, const std::string& by) {
-  const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", SCENES, name));
+  const xsharp::Scene scene = xsharp::read_scene(paths::scene(name + ".json"));
   std::string all;
   for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
     if (choice.by != by || !xsharp::is_listing(choice)) continue;
@@ -60,7 +63,7 @@ void expect_golden(const std::string& name, const std::string& by) {
         all += text_of(*player, frame);
     }
   }
-  EXPECT_EQ(all, read(fmt::format("{}/{}.txt", GOLDEN, name)));
+  EXPECT_EQ(all, read(golden(name + ".txt")));
 }
 
 /// The 64-bit FNV-1a hash.
@@ -71,7 +74,8 @@ std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
 }
 
 /// Compares each picture with the record that golden/work_out_pixels.py keeps of it.
-void expect_golden_pixels(const std::string& name, const std::string& folder = SCENES) {
+void expect_golden_pixels(const std::string& name,
+                          const std::string& folder = paths::source("scenes")) {
   const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", folder, name));
   std::string all;
   for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
@@ -94,13 +98,13 @@ void expect_golden_pixels(const std::string& name, const std::string& folder = S
       all += fmt::format("frame {} drawn {} hash {:016x}\n", frame, drawn, hash_of(pixels));
     }
   }
-  EXPECT_EQ(all, read(fmt::format("{}/{}_pixels.txt", GOLDEN, name)));
+  EXPECT_EQ(all, read(golden(name + "_pixels.txt")));
 }
 
 /// Compares the colours of the faces with the record that golden/work_out_paints.py keeps of them.
 void expect_golden_paints(const std::string& name, const std::string& by) {
   constexpr std::size_t shown = 8;
-  const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", SCENES, name));
+  const xsharp::Scene scene = xsharp::read_scene(paths::scene(name + ".json"));
   std::string all;
   for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {
     if (choice.by != by || !xsharp::is_listing(choice) || choice.repaired) continue;
@@ -124,7 +128,7 @@ void expect_golden_paints(const std::string& name, const std::string& by) {
                          hash_of(components), colors);
     }
   }
-  EXPECT_EQ(all, read(fmt::format("{}/{}_paints.txt", GOLDEN, name)));
+  EXPECT_EQ(all, read(golden(name + "_paints.txt")));
 }
 
 TEST(Golden, TwelveCubes) { expect_golden("twelve_cubes", "type"); }
@@ -143,7 +147,7 @@ TEST(Golden, PaintsOfLookAt) { expect_golden_paints("look_at", "type"); }
 TEST(Golden, LostCarryOnTheModel) { expect_golden("lost_carry", "model"); }
 TEST(Golden, PixelsOfIntersecting) { expect_golden_pixels("intersecting"); }
 TEST(Golden, PixelsOfIntersectingByZItself) {
-  expect_golden_pixels("intersecting_z", GOLDEN "/..");
+  expect_golden_pixels("intersecting_z", paths::source("tests/scenes"));
 }
 TEST(Golden, PixelsOfTextured) { expect_golden_pixels("textured"); }
 TEST(Golden, PixelsOfPhong) { expect_golden_pixels("phong"); }
@@ -151,7 +155,7 @@ TEST(Golden, TwelveCubesOnTheModel) { expect_golden("twelve_cubes", "model"); }
 
 // Cube 11 after 199 steps, computed by hand from the listings of chapter 52.
 TEST(Golden, TheCubeWorkedByHand) {
-  const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/twelve_cubes.json", SCENES));
+  const xsharp::Scene scene = xsharp::read_scene(paths::scene("twelve_cubes.json"));
   const auto player = player::make_player(scene, {"type", "i386", true, true});
   xsharp::Picture picture;
   for (int i = 0; i < 199; ++i) player->move();

@@ -5,6 +5,7 @@
 #include "player/players.hpp"
 #include "player/surfaces.hpp"
 #include "tests/scenes/all_arithmetics.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/normals.hpp"
@@ -58,7 +59,7 @@ std::int64_t expect_same_pixels(const Scene& scene, ArithmeticChoice choice, int
 /// The number of pixels that differ from the exact picture in 60 frames of the intersecting solids
 /// at half size. The exact picture uses inverse z under either measure.
 std::int64_t wrong_pixels(xsharp::DepthMeasure measure) {
-  Scene scene = xsharp::read_scene(SCENES "/intersecting.json");
+  Scene scene = xsharp::read_scene(paths::scene("intersecting.json"));
   scene.width = 160;
   scene.height = 120;
   scene.depth_measure = measure;
@@ -83,7 +84,7 @@ TEST(DepthMeasure, SteppedZIsWrongWherePolygonsCross) {
   EXPECT_GT(wrong_pixels(xsharp::DepthMeasure::z), 60 * 70);
 }
 
-class Interpolation : public testing::TestWithParam<const char*> {};
+class Interpolation : public testing::TestWithParam<std::string> {};
 
 // Uses half size to save time; docs/interpolation.md has the commands for full size.
 TEST_P(Interpolation, ModelAndTypeSetTheSamePixelsIn300Frames) {
@@ -107,8 +108,8 @@ TEST_P(Interpolation, UnderEveryBuild) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Interpolation,
-                         testing::Values(SCENES "/intersecting.json", SCENES "/textured.json",
-                                         SCENES "/phong.json"),
+                         testing::Values(paths::scene("intersecting.json"),
+                                         paths::scene("textured.json"), paths::scene("phong.json")),
                          [](const auto& scene) {
                            return std::filesystem::path(scene.param).stem().string();
                          });
@@ -116,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Interpolation,
 TEST(Interpolation, EveryVariantIsTheSame) {
   for (std::size_t kind = 0; kind < xsharp::surface_words.size(); ++kind) {
     for (std::size_t depth = 0; depth < xsharp::depth_buffer_words.size(); ++depth) {
-      Scene scene = xsharp::read_scene(SCENES "/phong.json");
+      Scene scene = xsharp::read_scene(paths::scene("phong.json"));
       scene.width = 128;
       scene.height = 96;
       scene.depth_buffer = static_cast<DepthBuffering>(depth);

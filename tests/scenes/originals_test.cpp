@@ -4,6 +4,7 @@
 
 #include "player/picture_digest.hpp"
 #include "player/players.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/screen.hpp"
@@ -54,11 +55,12 @@ std::vector<std::string> drawn(const xsharp::Scene& scene, const xsharp::Arithme
 class Originals : public testing::TestWithParam<Recorded> {};
 
 void expect_recorded(const Recorded& recorded, std::string_view by) {
-  const xsharp::Scene scene = xsharp::read_scene(std::string(SCENES "/") + recorded.scene);
+  const xsharp::Scene scene = xsharp::read_scene(paths::scene(recorded.scene));
   xsharp::ArithmeticChoice choice = scene.arithmetic;
   ASSERT_EQ(choice.target, "i386");
   choice.by = by;
-  const auto expected = lines_of(std::string(ORIGINALS "/") + recorded.file);
+  const auto expected =
+      lines_of(paths::source("tests/scenes/originals/" + std::string(recorded.file)));
   ASSERT_EQ(expected.size(), recorded.pictures);
   const auto pictures = drawn(scene, choice, recorded.begins_at, expected.size());
   ASSERT_EQ(pictures.size(), expected.size());

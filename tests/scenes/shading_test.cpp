@@ -1,6 +1,7 @@
 // Tests chapter 54's statement about its demonstration: green light shades smoothly, and green
 // light with blue light does not.
 #include "player/players.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/palette.hpp"
@@ -15,7 +16,7 @@ struct Shades {
 
 /// Shows a full turn of the ball and collects its green levels from the palette.
 Shades shades(bool spot_two) {
-  xsharp::Scene scene = xsharp::read_scene(SCENES "/shaded_ball.json");
+  xsharp::Scene scene = xsharp::read_scene(paths::scene("shaded_ball.json"));
   scene.lights.spots.at(2).on = spot_two;
   const auto player = player::make_player(scene, scene.arithmetic);
   const xsharp::Palette& palette = xsharp::palette_of(scene.palette);

@@ -1,4 +1,5 @@
 // Tests the depth buffer against depths in double, with and without clearing, and drawing order.
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "tests/surfaces/polygon_row.hpp"
 #include "tests/surfaces/strip.hpp"
@@ -42,7 +43,7 @@ struct Difference {
 
 /// Compares the visible polygon at each pixel, by the buffer and in double.
 Difference differences_of(DepthBuffering mode, int frames) {
-  Scene scene = read_scene(SCENES "/intersecting.json");
+  Scene scene = read_scene(paths::scene("intersecting.json"));
   scene.depth_buffer = mode;
   Animation<Number> animation(scene);
   StepFiller<Number> stepped(scene, std::make_unique<PlainLoops>());
@@ -128,7 +129,7 @@ TEST(DepthBuffer, WithoutClearingNorDoesWhatWasSteppedBeyondTheRange) {
 
 // Front-to-back drawing overwrites fewer pixels.
 TEST(DepthBuffer, IsDrawnFrontToBackForFewerPixels) {
-  Scene scene = read_scene(SCENES "/ball_and_cubes.json");
+  Scene scene = read_scene(paths::scene("ball_and_cubes.json"));
   scene.depth_buffer = DepthBuffering::on;
   Animation<Number> animation(scene);
   // After 60 frames the ball overlaps the cubes.

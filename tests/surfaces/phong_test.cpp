@@ -8,6 +8,7 @@
 // sqrt 3).
 #include <rapidcheck.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "tests/surfaces/polygon_row.hpp"
 #include "tests/surfaces/strip.hpp"
@@ -158,7 +159,7 @@ class Bounds {
 
 // Compares every pixel at half size. The visible row at a pixel sets the bound.
 TEST(Phong, EveryPixelOfTheSceneIsWithinTheBoundOfItsRow) {
-  Scene scene = read_scene(SCENES "/phong.json");
+  Scene scene = read_scene(paths::scene("phong.json"));
   scene.width /= 2;
   scene.height /= 2;
   Animation<Number> animation(scene);

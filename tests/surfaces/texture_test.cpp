@@ -1,6 +1,7 @@
 // Compares the bitmap places of the texture loops with exact perspective.
 #include <rapidcheck.h>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "tests/surfaces/strip.hpp"
 #include "tests/xsharp/raster/generators.hpp"
@@ -145,7 +146,7 @@ TEST(Texture, APlaceOutsideIsBroughtToTheEdgeOfTheBitmap) {
 
 /// The number of pixels that differ from the exact rendering in frame 40 of the textured scene.
 std::ptrdiff_t differing(std::int32_t every) {
-  Scene scene = read_scene(SCENES "/textured.json");
+  Scene scene = read_scene(paths::scene("textured.json"));
   for (ObjectDescription& object : scene.objects) object.surface.exact_every = every;
   Animation<Number> animation(scene);
   for (int frame = 0; frame < 40; ++frame) animation.move();

@@ -5,6 +5,7 @@
 #include "singlestep/gunzip.hpp"
 #include "support/file.hpp"
 #include "tests/cli/bitwise.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 
@@ -22,7 +23,7 @@ std::string replaced(std::string text, const std::string& from, std::string_view
 }  // namespace
 
 std::string path_of(const Committed& file) {
-  return fmt::format("{}/{}", FIXPROOF_VECTORS, file.name);
+  return paths::source("tests/vectors/" + std::string(file.name));
 }
 
 Json load(const Committed& file) {

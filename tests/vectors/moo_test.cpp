@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "support/file.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "tests/vectors/capture.hpp"
 
@@ -34,7 +35,7 @@ TEST(Moo, HasTheSameVerdictsAsJson) {
 
 /// tests/vectors/286.MOO is a file to try the command with, and a seed of the fuzzer.
 TEST(Moo, TheCommittedFileHasTheCapturesOfThe286) {
-  const std::string path = fmt::format("{}/286.MOO", FIXPROOF_VECTORS);
+  const std::string path = paths::source("tests/vectors/286.MOO");
   EXPECT_EQ(fixproof::support::read_file(path), vectors::moo_of(moo_cases("286"), "286"));
 }
 

@@ -16,6 +16,7 @@
 #include "oracle/format.hpp"
 #include "parties/answer.hpp"
 #include "support/usage_error.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "tests/verify/saboteur.hpp"
 #include "verify/merge.hpp"
@@ -154,7 +155,7 @@ TEST(Formats, RootTiesAbove1AreBesideAHalf) {
 }
 
 TEST(Formats, AreThoseOfTheType) {
-  std::ifstream file(FIXPROOF_SOURCE "/fixed/formats.hpp");
+  std::ifstream file(paths::source("fixed/formats.hpp"));
   std::stringstream text;
   text << file.rdbuf();
   std::set<std::string> aliases{"q8_8", "q16_16"};  // of fixed/number.hpp

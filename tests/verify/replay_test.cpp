@@ -10,6 +10,7 @@
 #include "cases/plan.hpp"
 #include "cases/streams.hpp"
 #include "parties/answer.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "verify/engine.hpp"
 
@@ -22,7 +23,7 @@ struct Shell {
 };
 
 Shell shell(const std::string& line) {
-  const std::string folder = std::filesystem::path(FIXPROOF_COMMAND).parent_path();
+  const std::string folder = std::filesystem::path(paths::command()).parent_path();
   const std::string with_path = "PATH='" + folder + "':$PATH; " + line;
   // Safe because the line comes only from this program.
   std::FILE* pipe = popen(with_path.c_str(), "r");  // NOLINT(cert-env33-c)
@@ -40,12 +41,12 @@ Shell shell(const std::string& line) {
 std::string wrong_function(const cases::Variant& v) {
   switch (v.operation) {
     case cases::Operation::cossin:
-      return FIXPROOF_JUDGED ":cossin_wrong";
+      return paths::built("tests/library/libjudged.so:cossin_wrong");
     case cases::Operation::xformvec:
     case cases::Operation::concat:
-      return FIXPROOF_JUDGED ":transform_wrong";
+      return paths::built("tests/library/libjudged.so:transform_wrong");
     default:
-      return FIXPROOF_JUDGED ":wrong";
+      return paths::built("tests/library/libjudged.so:wrong");
   }
 }
 

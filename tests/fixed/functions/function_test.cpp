@@ -3,6 +3,7 @@
 #include "tests/fixed/functions/functions.hpp"
 #include "tests/fixed/functions/hard_words.hpp"
 #include "tests/support/each_type.hpp"
+#include "tests/support/paths.hpp"
 
 namespace {
 
@@ -87,7 +88,8 @@ TEST_OF_EACH(EveryFormat, FunctionsOfTwoNumbersAreNearest, Format, every_format)
 
 TEST(Functions, OfHardWordsAreNearest) {
   functions::for_each_hard_word(
-      FUNCTIONS_FOLDER "/hard_words.txt", []<class N>(const functions::HardWord& word) {
+      paths::source("tests/fixed/functions/hard_words.txt"),
+      []<class N>(const functions::HardWord& word) {
         const auto format = Format::of<N>();
         const auto& [function, name] = functions::named(functions::names_of_one, word.function);
         EXPECT_EQ(format.compute(function, word.operand, 0), word.result)

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 
 namespace functions {
@@ -20,9 +21,9 @@ struct HardPair {
   std::int64_t result = 0;
 };
 
-/// The pairs of a file in FUNCTIONS_FOLDER. A line that is no pair fails the test and is left out.
+/// The pairs of a file of this folder. A line that is no pair fails the test and is left out.
 inline std::vector<HardPair> hard_pairs(const std::string& name) {
-  std::ifstream file(FUNCTIONS_FOLDER "/" + name);
+  std::ifstream file(paths::source("tests/fixed/functions/" + name));
   std::vector<HardPair> pairs;
   std::string line;
   while (std::getline(file, line)) {

@@ -5,6 +5,7 @@
 #include "tests/fixed/functions/functions.hpp"
 #include "tests/fixed/functions/hard_words.hpp"
 #include "tests/support/each_type.hpp"
+#include "tests/support/paths.hpp"
 
 namespace {
 
@@ -51,7 +52,8 @@ TEST_OF_EACH(Mpfr, GivesTheSameWords, Format, every_format) {
 
 TEST(MpfrHardWords, HaveTheSameResults) {
   functions::for_each_hard_word(
-      FUNCTIONS_FOLDER "/hard_words.txt", []<class N>(const functions::HardWord& word) {
+      paths::source("tests/fixed/functions/hard_words.txt"),
+      []<class N>(const functions::HardWord& word) {
         const auto& [function, name] = functions::named(functions::names_of_one, word.function);
         EXPECT_EQ(by_mpfr(Format::of<N>(), function, word.operand, 0), word.result)
             << name << " of raw " << word.operand;

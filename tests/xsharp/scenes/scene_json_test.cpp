@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "fixed/fixed.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 #include "tests/xsharp/scenes/refusal.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 using namespace xsharp;
 
-const std::filesystem::path root = SOURCE_FOLDER;
+const std::filesystem::path root = paths::source("");
 
 std::string contents(const std::filesystem::path& file) {
   std::ostringstream text;

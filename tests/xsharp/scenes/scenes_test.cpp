@@ -1,6 +1,7 @@
 /// Tests the shipped scenes, with an independent transcription of the published ones.
 #include <filesystem>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/shapes.hpp"
@@ -9,9 +10,7 @@ namespace {
 
 using namespace xsharp;
 
-std::filesystem::path file(const std::string& name) {
-  return std::filesystem::path(SOURCE_FOLDER) / "scenes" / name;
-}
+std::filesystem::path file(const std::string& name) { return paths::scene(name); }
 
 /// A cube from the initialisers of listing 52.8: place, degrees about x y z, delay and base,
 /// colours.
