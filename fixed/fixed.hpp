@@ -1,7 +1,7 @@
 /// \file
 /// All of namespace fixproof except fixed/exponential.hpp, fixed/trigonometry.hpp, fixed/angle.hpp,
-/// fixed/power.hpp, fixed/bytes.hpp, fixed/eigen.hpp, batch/batch.hpp, batch/radian.hpp and
-/// property/generator.hpp.
+/// fixed/power.hpp, fixed/bytes.hpp, fixed/eigen.hpp, fixed/batch/batch.hpp, fixed/batch/radian.hpp
+/// and judge/property/generator.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
 ///

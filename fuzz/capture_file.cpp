@@ -16,9 +16,9 @@
 
 #include "fuzz/finding.hpp"
 #include "fuzz/memory_file.hpp"
-#include "singlestep/judge.hpp"
-#include "singlestep/read.hpp"
 #include "support/usage_error.hpp"
+#include "verify/singlestep/judge.hpp"
+#include "verify/singlestep/read.hpp"
 
 using namespace fixproof;
 

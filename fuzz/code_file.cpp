@@ -16,8 +16,8 @@
 
 #include "fuzz/control_characters.hpp"
 #include "fuzz/finding.hpp"
-#include "judge/call.hpp"
-#include "judge/load.hpp"
+#include "judge/code/call.hpp"
+#include "judge/code/load.hpp"
 #include "support/usage_error.hpp"
 
 using namespace fixproof;

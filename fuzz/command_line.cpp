@@ -3,7 +3,7 @@
 // `file`. The run must end with a documented status, and with a message on one line for status 2.
 // Arguments that lead out of the folder of the run are not tried. No solver is found, because no
 // run may start a process.
-#include "cli/command_line.hpp"
+#include "app/cli/command_line.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -27,7 +27,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/commands.hpp"
+#include "app/cli/commands.hpp"
 #include "fuzz/captured_output.hpp"
 #include "fuzz/control_characters.hpp"
 #include "fuzz/finding.hpp"

@@ -19,11 +19,11 @@
 #include <string_view>
 #include <vector>
 
-#include "check/cases.hpp"
-#include "check/results.hpp"
-#include "cli/commands.hpp"
+#include "app/cli/commands.hpp"
 #include "fuzz/finding.hpp"
 #include "fuzz/memory_file.hpp"
+#include "judge/check/cases.hpp"
+#include "judge/check/results.hpp"
 #include "oracle/exact.hpp"
 #include "support/hex.hpp"
 #include "support/usage_error.hpp"

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "fuzz/finding.hpp"
-#include "judge/message.hpp"
-#include "tests/judge/replies.hpp"
+#include "judge/code/message.hpp"
+#include "tests/judge/code/replies.hpp"
 
 using namespace fixproof;
 

@@ -4,7 +4,7 @@
 
 #include "fuzz/corpus.hpp"
 #define FIXPROOF_RECORD 1
-#include "record/recorded.hpp"
+#include "fixed/record/recorded.hpp"
 #include "support/file.hpp"
 
 namespace fixproof::fuzz {

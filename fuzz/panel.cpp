@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 
-#include "cases/plan.hpp"
-#include "cases/words.hpp"
-#include "parties/answer.hpp"
+#include "verify/cases/plan.hpp"
+#include "verify/cases/words.hpp"
 #include "verify/engine.hpp"
+#include "verify/parties/answer.hpp"
 #include "verify/replay.hpp"
 #include "verify/shrink.hpp"
 

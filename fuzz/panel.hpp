@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/variant.hpp"
-#include "parties/party.hpp"
+#include "verify/cases/variant.hpp"
+#include "verify/parties/party.hpp"
 
 namespace fixproof::fuzz {
 

@@ -13,13 +13,13 @@
 #include <string_view>
 #include <utility>
 
-#include "desync/compare.hpp"
-#include "desync/log_file.hpp"
-#include "desync/values.hpp"
+#include "fixed/record/hash.hpp"
+#include "fixed/record/layout.hpp"
 #include "fuzz/finding.hpp"
 #include "fuzz/memory_file.hpp"
-#include "record/hash.hpp"
-#include "record/layout.hpp"
+#include "judge/desync/compare.hpp"
+#include "judge/desync/log_file.hpp"
+#include "judge/desync/values.hpp"
 #include "support/usage_error.hpp"
 
 using namespace fixproof;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fuzz/corpus.hpp"
-#include "judge/message.hpp"
-#include "tests/judge/replies.hpp"
+#include "judge/code/message.hpp"
+#include "tests/judge/code/replies.hpp"
 
 namespace fixproof::fuzz {
 

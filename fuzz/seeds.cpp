@@ -13,10 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "cases/draw.hpp"
-#include "cases/plan.hpp"
-#include "cases/streams.hpp"
-#include "cases/words.hpp"
 #include "fuzz/corpus.hpp"
 #include "fuzz/log_seeds.hpp"
 #include "fuzz/reply_seeds.hpp"
@@ -25,6 +21,10 @@
 #include "fuzz/words.hpp"
 #include "oracle/decimal.hpp"
 #include "support/error_text.hpp"
+#include "verify/cases/draw.hpp"
+#include "verify/cases/plan.hpp"
+#include "verify/cases/streams.hpp"
+#include "verify/cases/words.hpp"
 #include "verify/maker.hpp"
 #include "verify/report_json.hpp"
 

@@ -16,9 +16,9 @@
 
 #include "fuzz/control_characters.hpp"
 #include "fuzz/finding.hpp"
-#include "proof/model.hpp"
-#include "proof/s_expression.hpp"
-#include "proof/solver_program.hpp"
+#include "verify/proof/model.hpp"
+#include "verify/proof/s_expression.hpp"
+#include "verify/proof/solver_program.hpp"
 
 using namespace fixproof;
 using proof::Satisfiability;

@@ -84,7 +84,7 @@ struct Layout {
   [[nodiscard]] Range output(std::size_t i) const {
     return {out[i], out[i] + count * shape().out_width};
   }
-  /// As batch/batch.hpp permits it.
+  /// As fixed/batch/batch.hpp permits it.
   [[nodiscard]] bool permitted() const {
     for (std::size_t o = 0; o < shape().outputs; ++o) {
       for (std::size_t i = 0; i < shape().inputs; ++i) {

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "batch/batch.hpp"
-#include "batch/radian.hpp"
+#include "fixed/batch/batch.hpp"
+#include "fixed/batch/radian.hpp"
 #include "fixed/fixed.hpp"
 #include "fuzz/finding.hpp"
 #include "fuzz/span_layout.hpp"

@@ -14,7 +14,7 @@
 
 #include "fuzz/finding.hpp"
 #include "fuzz/step_case.hpp"
-#include "machine_code/emulator.hpp"
+#include "verify/machine_code/emulator.hpp"
 #include "x86model/parse.hpp"
 #include "x86model/run.hpp"
 #include "x86model/text.hpp"

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <variant>
 
-#include "cases/draw.hpp"
-#include "cases/stream_makers.hpp"
-#include "cases/streams.hpp"
 #include "fuzz/words.hpp"
-#include "singlestep/shown.hpp"
 #include "support/usage_error.hpp"
+#include "verify/cases/draw.hpp"
+#include "verify/cases/stream_makers.hpp"
+#include "verify/cases/streams.hpp"
+#include "verify/singlestep/shown.hpp"
 #include "x86model/execute.hpp"
 #include "x86model/text.hpp"
 

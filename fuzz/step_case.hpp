@@ -10,8 +10,8 @@
 #include <span>
 #include <string>
 
-#include "singlestep/decode.hpp"
-#include "singlestep/step_machine.hpp"
+#include "verify/singlestep/decode.hpp"
+#include "verify/singlestep/step_machine.hpp"
 #include "x86model/routine.hpp"
 
 namespace fixproof::fuzz {

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <utility>
 
-#include "cases/plan.hpp"
-#include "cases/stream_makers.hpp"
-#include "cases/streams.hpp"
 #include "fuzz/words.hpp"
+#include "verify/cases/plan.hpp"
+#include "verify/cases/stream_makers.hpp"
+#include "verify/cases/streams.hpp"
 
 namespace fixproof::fuzz {
 

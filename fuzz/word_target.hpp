@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "cases/draw.hpp"
 #include "fuzz/panel.hpp"
+#include "verify/cases/draw.hpp"
 
 namespace fixproof::fuzz {
 
@@ -21,9 +21,9 @@ const std::vector<VariantParties>& parties_by_variant(WordTarget target);
 
 std::size_t input_size(WordTarget target);
 
-/// Mutates a case: draws a fresh one from cases/streams.hpp, or moves one word to an edge or by a
-/// step. For a divide, it may also choose a dividend that gives an exact tie, a quotient of 0, 1,
-/// 2^31 or 2^32 ulp, or a neighbour of these.
+/// Mutates a case: draws a fresh one from verify/cases/streams.hpp, or moves one word to an edge or
+/// by a step. For a divide, it may also choose a dividend that gives an exact tie, a quotient of 0,
+/// 1, 2^31 or 2^32 ulp, or a neighbour of these.
 void mutate_case(const cases::Variant& variant, std::span<std::uint32_t> words, cases::Draw& draw);
 
 /// Mutates an input of the target as libFuzzer does: the first `size` bytes of `room` are valid.

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/format.hpp"
 #include "support/frame_progress.hpp"
+#include "verify/cases/format.hpp"
 #include "xsharp/scene.hpp"
 
 namespace fixproof::measure {

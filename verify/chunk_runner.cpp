@@ -6,8 +6,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "cases/streams.hpp"
-#include "parties/answer.hpp"
+#include "verify/cases/streams.hpp"
+#include "verify/parties/answer.hpp"
 
 namespace fixproof::verify {
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "cases/plan.hpp"
-#include "parties/party.hpp"
 #include "verify/answer_digest.hpp"
+#include "verify/cases/plan.hpp"
+#include "verify/parties/party.hpp"
 #include "verify/report.hpp"
 
 namespace fixproof::verify {

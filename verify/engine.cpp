@@ -8,10 +8,10 @@
 #include <thread>
 #include <utility>
 
-#include "cases/plan.hpp"
-#include "parties/answer.hpp"
 #include "support/thread_pool.hpp"
+#include "verify/cases/plan.hpp"
 #include "verify/chunk_runner.hpp"
+#include "verify/parties/answer.hpp"
 #include "verify/shrink.hpp"
 
 namespace fixproof::verify {

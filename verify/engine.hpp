@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/plan.hpp"
-#include "parties/party.hpp"
+#include "verify/cases/plan.hpp"
+#include "verify/parties/party.hpp"
 #include "verify/report.hpp"
 
 namespace fixproof::verify {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "cases/plan.hpp"
-#include "parties/party.hpp"
+#include "verify/cases/plan.hpp"
+#include "verify/parties/party.hpp"
 
 namespace fixproof::verify {
 

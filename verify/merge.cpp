@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "cases/plan.hpp"
 #include "support/plain_text.hpp"
+#include "verify/cases/plan.hpp"
 #include "verify/report_json.hpp"
 
 namespace fixproof::verify {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "parties/party.hpp"
+#include "verify/parties/party.hpp"
 #include "verify/report.hpp"
 
 namespace fixproof::verify {

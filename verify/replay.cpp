@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/words.hpp"
 #include "support/plain_text.hpp"
+#include "verify/cases/words.hpp"
 
 namespace fixproof::verify {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "cases/plan.hpp"
-#include "cases/variant.hpp"
+#include "verify/cases/plan.hpp"
+#include "verify/cases/variant.hpp"
 #include "verify/report.hpp"
 
 namespace fixproof::verify {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "cases/plan.hpp"
+#include "verify/cases/plan.hpp"
 
 namespace fixproof::verify {
 

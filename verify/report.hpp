@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/plan.hpp"
+#include "verify/cases/plan.hpp"
 #include "verify/maker.hpp"
 
 namespace fixproof::verify {

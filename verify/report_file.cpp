@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "parties/party.hpp"
 #include "support/file.hpp"
+#include "verify/parties/party.hpp"
 
 namespace fixproof::verify {
 

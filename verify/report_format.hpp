@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/plan.hpp"
-#include "cases/streams.hpp"
+#include "verify/cases/plan.hpp"
+#include "verify/cases/streams.hpp"
 #include "verify/report.hpp"
 
 namespace fixproof::verify {

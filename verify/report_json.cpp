@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cases/plan.hpp"
-#include "cases/words.hpp"
 #include "support/json.hpp"
 #include "support/sha256.hpp"
+#include "verify/cases/plan.hpp"
+#include "verify/cases/words.hpp"
 #include "verify/report_format.hpp"
 
 namespace fixproof::verify {

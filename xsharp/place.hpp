@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-#include "batch/batch.hpp"
+#include "fixed/batch/batch.hpp"
 #include "xsharp/clip.hpp"
 #include "xsharp/project.hpp"
 #include "xsharp/transform.hpp"
@@ -55,9 +55,9 @@ Unplaced place_each(const Transform<N>& to_view, std::span<const Vec3<N>> vertic
   return unplaced;
 }
 
-/// Places vertices with batch/batch.hpp, in blocks that fit the first-level cache, to the same
-/// bits. Vertices that a batch marks are recomputed one by one, so that they fault, saturate or
-/// throw as the type does.
+/// Places vertices with fixed/batch/batch.hpp, in blocks that fit the first-level cache, to the
+/// same bits. Vertices that a batch marks are recomputed one by one, so that they fault, saturate
+/// or throw as the type does.
 template <fixproof::policy P>
 Unplaced place_in_batches(const Transform<fixproof::number<std::int32_t, 16, P>>& to_view,
                           std::span<const Vec3<fixproof::number<std::int32_t, 16, P>>> vertices,

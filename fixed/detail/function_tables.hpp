@@ -1,5 +1,5 @@
 /// \file
-/// The tables and constants of the functions. scripts/function-tables writes this file.
+/// The tables and constants of the functions. tests/tools/function-tables writes this file.
 #pragma once
 
 #include <array>

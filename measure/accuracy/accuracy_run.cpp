@@ -5,10 +5,10 @@
 #include <limits>
 #include <numeric>
 
-#include "cases/draw.hpp"
-#include "cases/streams.hpp"
 #include "measure/accuracy/scene_operands.hpp"
 #include "oracle/unbounded.hpp"
+#include "verify/cases/draw.hpp"
+#include "verify/cases/streams.hpp"
 
 namespace fixproof::measure {
 

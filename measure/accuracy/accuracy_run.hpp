@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "check/curve.hpp"
+#include "judge/check/curve.hpp"
 #include "measure/accuracy/error_statistics.hpp"
 #include "measure/accuracy/subjects.hpp"
-#include "player/model_call.hpp"
+#include "measure/player/model_call.hpp"
 #include "support/json.hpp"
 
 namespace fixproof::measure {

@@ -9,12 +9,12 @@
 #include <type_traits>
 #include <variant>
 
-#include "cases/format_makers.hpp"
-#include "check/word.hpp"
+#include "judge/check/word.hpp"
 #include "measure/host/provenance.hpp"
 #include "oracle/format.hpp"
-#include "parties/with_format.hpp"
 #include "support/usage_error.hpp"
+#include "verify/cases/format_makers.hpp"
+#include "verify/parties/with_format.hpp"
 
 namespace fixproof::measure {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "cases/format.hpp"
 #include "measure/accuracy/accuracy_run.hpp"
 #include "measure/measure.hpp"
 #include "support/json.hpp"
+#include "verify/cases/format.hpp"
 
 namespace fixproof::measure {
 

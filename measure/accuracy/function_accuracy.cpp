@@ -7,13 +7,13 @@
 #include <functional>
 #include <numbers>
 
-#include "cases/variant.hpp"
-#include "check/cases.hpp"
-#include "check/rules.hpp"
+#include "judge/check/cases.hpp"
+#include "judge/check/rules.hpp"
 #include "measure/accuracy/subjects.hpp"
-#include "parties/formats.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
+#include "verify/cases/variant.hpp"
+#include "verify/parties/formats.hpp"
 
 namespace fixproof::measure {
 

@@ -5,8 +5,8 @@
 #include <initializer_list>
 #include <utility>
 
-#include "cases/draw.hpp"
 #include "fixed/fixed.hpp"
+#include "verify/cases/draw.hpp"
 
 namespace fixproof::measure {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "player/players.hpp"
+#include "measure/player/players.hpp"
 
 namespace fixproof::measure {
 

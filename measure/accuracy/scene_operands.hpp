@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/build.hpp"
-#include "player/model_call.hpp"
+#include "measure/player/model_call.hpp"
+#include "verify/cases/build.hpp"
 #include "xsharp/scene.hpp"
 
 namespace fixproof::measure {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "cases/plan.hpp"
 #include "measure/clocks/replay.hpp"
+#include "verify/cases/plan.hpp"
 
 namespace fixproof::measure {
 

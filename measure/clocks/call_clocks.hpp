@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
-#include "cases/variant.hpp"
 #include "measure/clocks/bounds.hpp"
 #include "measure/measure.hpp"
+#include "verify/cases/variant.hpp"
 #include "x86model/clocks.hpp"
 
 namespace fixproof::measure {

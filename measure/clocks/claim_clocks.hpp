@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/variant.hpp"
 #include "measure/clocks/claims.hpp"
+#include "verify/cases/variant.hpp"
 
 namespace fixproof::measure {
 

@@ -9,7 +9,7 @@
 #include "measure/clocks/claim_clocks.hpp"
 #include "measure/clocks/frame_clocks.hpp"
 #include "measure/clocks/replay.hpp"
-#include "player/model_call.hpp"
+#include "measure/player/model_call.hpp"
 
 namespace fixproof::measure {
 

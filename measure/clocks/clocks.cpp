@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "machine_code/programs.hpp"
 #include "measure/clocks/claim_clocks.hpp"
 #include "measure/clocks/frame_clocks.hpp"
 #include "measure/host/provenance.hpp"
+#include "verify/machine_code/programs.hpp"
 #include "x86model/text.hpp"
 
 namespace fixproof::measure {

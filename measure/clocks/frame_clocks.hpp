@@ -2,9 +2,9 @@
 /// The clocks of the listings' calls on old processors.
 #pragma once
 
-#include "cases/variant.hpp"
 #include "measure/clocks/bounds.hpp"
-#include "player/model_call.hpp"
+#include "measure/player/model_call.hpp"
+#include "verify/cases/variant.hpp"
 #include "x86model/bus.hpp"
 #include "x86model/clocks.hpp"
 

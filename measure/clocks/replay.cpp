@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "machine_code/machine_code.hpp"
-#include "parties/interpreter.hpp"
+#include "verify/machine_code/machine_code.hpp"
+#include "verify/parties/interpreter.hpp"
 #include "x86model/with_routine.hpp"
 
 namespace fixproof::measure {

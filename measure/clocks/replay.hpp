@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "cases/variant.hpp"
+#include "verify/cases/variant.hpp"
 #include "x86model/count_clocks.hpp"
 
 namespace fixproof::measure {

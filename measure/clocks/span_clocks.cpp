@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "machine_code/programs.hpp"
+#include "verify/machine_code/programs.hpp"
 #include "x86model/call_loop.hpp"
 #include "x86model/count_clocks.hpp"
 #include "x86model/text.hpp"

@@ -6,7 +6,7 @@
 
 #include "measure/accuracy/accuracy_run.hpp"
 #include "measure/host/provenance.hpp"
-#include "parties/machines.hpp"
+#include "verify/parties/machines.hpp"
 
 namespace fixproof::measure {
 

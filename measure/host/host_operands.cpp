@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "cases/draw.hpp"
 #include "measure/host/host_contenders.hpp"
+#include "verify/cases/draw.hpp"
 #include "xsharp/rotation.hpp"
 
 namespace fixproof::measure {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "measure/host/provenance.hpp"
-#include "parties/machines.hpp"
+#include "verify/parties/machines.hpp"
 
 namespace fixproof::measure {
 

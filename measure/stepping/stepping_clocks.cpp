@@ -6,9 +6,9 @@
 #include <initializer_list>
 #include <stdexcept>
 
-#include "cases/draw.hpp"
 #include "measure/clocks/call_clocks.hpp"
 #include "measure/clocks/claim_clocks.hpp"
+#include "verify/cases/draw.hpp"
 #include "x86model/clocks.hpp"
 #include "x86model/notation.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/draw.hpp"
+#include "verify/cases/draw.hpp"
 #include "xsharp/raster/span_loops.hpp"
 
 namespace fixproof::measure {

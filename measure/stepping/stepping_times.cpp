@@ -7,8 +7,8 @@
 #include <limits>
 #include <span>
 
-#include "cases/draw.hpp"
 #include "fixed/fixed.hpp"
+#include "verify/cases/draw.hpp"
 #include "xsharp/normals.hpp"
 #include "xsharp/raster/parabola.hpp"
 #include "xsharp/raster/span_loops.hpp"

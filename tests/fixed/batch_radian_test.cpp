@@ -1,5 +1,5 @@
 /// Compares batch sines and cosines on every path with the functions of one angle.
-#include "batch/radian.hpp"
+#include "fixed/batch/radian.hpp"
 #include "fixed/fixed.hpp"
 #include "tests/support/test.hpp"
 

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <thread>
 
-#include "batch/radian.hpp"
+#include "fixed/batch/radian.hpp"
 #include "fixed/fixed.hpp"
 #include "tests/support/test.hpp"
 

@@ -1,5 +1,5 @@
 /// Tests that the RapidCheck generators reach the edges and that they shrink.
-#include "property/generator.hpp"
+#include "judge/property/generator.hpp"
 
 #include <rapidcheck.h>
 

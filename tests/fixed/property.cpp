@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "property/generator.hpp"
+#include "judge/property/generator.hpp"
 
 namespace property {
 

@@ -13,7 +13,7 @@ namespace property {
 using Raws = std::vector<std::int64_t>;
 
 /// Whether `check` holds for `operands` numbers with that many fraction bits (8 or 16), drawn by
-/// the generator of property/generator.hpp. Prints the smallest counterexample.
+/// the generator of judge/property/generator.hpp. Prints the smallest counterexample.
 bool holds(int fraction_bits, int operands, const std::function<bool(const Raws&)>& check);
 
 /// Whether `check` holds for two lists of numbers.

@@ -5,7 +5,7 @@
 #include "fuzz/type_rules.hpp"
 #include "fuzz/word_target.hpp"
 #include "tests/support/test.hpp"
-#include "tests/verify/saboteur.hpp"
+#include "tests/verify/engine/saboteur.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Tests `fixproof measure` as a user runs it.
-#include "tests/cli/command.hpp"
+#include "tests/support/command.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // Tests `fixproof step --clocks` against Intel's tables, with multiplies and divides by hand.
 #include <fmt/format.h>
 
-#include "tests/cli/command.hpp"
+#include "tests/support/command.hpp"
 #include "tests/support/test.hpp"
 
 namespace {

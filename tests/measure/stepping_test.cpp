@@ -7,7 +7,7 @@
 #include "measure/stepping/stepping_times.hpp"
 #include "tests/measure/never.hpp"
 #include "tests/support/test.hpp"
-#include "tests/surfaces/strip.hpp"
+#include "tests/xsharp/surfaces/strip.hpp"
 #include "xsharp/raster/depth_buffer.hpp"
 
 namespace {

@@ -1,9 +1,9 @@
 #include "oracle/exact.hpp"
 #include "oracle/fast.hpp"
 #include "oracle/unbounded.hpp"
-#include "parties/answer.hpp"
 #include "tests/oracle/rules.hpp"
 #include "tests/support/test.hpp"
+#include "verify/parties/answer.hpp"
 
 namespace oracle {
 namespace {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """usage: hardening.py FOLDER hardened|plain COMPILER
 
-Reads FOLDER/fixproof with readelf and objdump. hardened: every protection of cmake/hardening.cmake must be seen in the
+Reads FOLDER/fixproof with readelf and objdump. hardened: every protection of support/cmake/hardening.cmake must be seen in the
 program, not only in the options that it was built with. plain: nothing may be compiled with _FORTIFY_SOURCE, because it
 hides errors from the sanitizers. COMPILER is CMake's name of the compiler: under Clang, the C++ side of glibc 2.36 checks
 no sizes. Status 1 for any breach, 77 for a program that is not an ELF file.
@@ -56,9 +56,9 @@ if "X86-64" in processor:
     # The linker keeps the property of control-flow protection only if the C library's start files have it too, so
     # look at each object of the project.
     archives = sorted(path for path in folder.glob("**/lib*.a")
-                      if path.relative_to(folder).parts[0] not in ("fuzz", "tests", "examples", "bench"))
+                      if not {"fuzz", "tests", "examples", "bench"} & set(path.relative_to(folder).parts))
     objects = 0
-    for path in [*archives, *folder.glob("cli/CMakeFiles/fixproof.dir/**/*.o")]:
+    for path in [*archives, *folder.glob("app/cli/CMakeFiles/fixproof.dir/**/*.o")]:
         notes = output_of("readelf", "-nW", str(path))
         for part in re.split(r"^File: ", notes, flags=re.M)[1:] or [notes]:
             objects += 1

@@ -11,7 +11,7 @@ import xml.etree.ElementTree
 
 root = pathlib.Path(sys.argv[1])
 space = "{http://schemas.microsoft.com/vstudio/debugger/natvis/2010}"
-tree = xml.etree.ElementTree.parse(root / "packaging/debuggers/fixproof.natvis").getroot()
+tree = xml.etree.ElementTree.parse(root / "fixed/debuggers/fixproof.natvis").getroot()
 assert tree.tag == space + "AutoVisualizer", tree.tag
 assert " raw_type raw_ = 0;" in (root / "fixed/number.hpp").read_text()
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """usage: sbom.py ROOT FOLDER
 
-Runs scripts/sbom on the build in FOLDER, and holds its output to the form of SPDX 2.3, to what ldd says of the command,
-to the libraries that CMake found, and to report/vendor. Status 1 for any breach, 77 without dpkg or Ninja.
+Runs tests/tools/sbom on the build in FOLDER, and holds its output to the form of SPDX 2.3, to what ldd says of the command,
+to the libraries that CMake found, and to app/report/vendor. Status 1 for any breach, 77 without dpkg or Ninja.
 """
 import hashlib
 import json
@@ -27,7 +27,7 @@ def expect(holds, what):
 
 
 def owners(paths):
-    """The package of each file, by the lists of dpkg itself, which scripts/sbom does not read."""
+    """The package of each file, by the lists of dpkg itself, which tests/tools/sbom does not read."""
     wanted = {name: path for path in paths
               for name in (os.path.realpath(path), os.path.realpath(path).replace("/usr/lib", "/lib", 1))}
     found = {path: f"no package with {path}" for path in paths}
@@ -38,7 +38,7 @@ def owners(paths):
 
 
 def sbom(*arguments):
-    return subprocess.run([str(root / "scripts/sbom"), *map(str, arguments)], capture_output=True, text=True,
+    return subprocess.run([str(root / "tests/tools/sbom"), *map(str, arguments)], capture_output=True, text=True,
                           env={**os.environ, "SOURCE_DATE_EPOCH": "0"})
 
 
@@ -46,7 +46,7 @@ with tempfile.TemporaryDirectory() as temporary:
     output = Path(temporary) / "bill.json"
     run = sbom("--output", output, folder)
     if run.returncode:
-        sys.exit(f"scripts/sbom has status {run.returncode}: {run.stderr}")
+        sys.exit(f"tests/tools/sbom has status {run.returncode}: {run.stderr}")
     bill = json.loads(output.read_text())
     nothing = sbom(temporary)
     expect(nothing.returncode == 2 and "no build" in nothing.stderr, f"a folder without a build: {nothing}")
@@ -82,7 +82,7 @@ linked = {relation["relatedSpdxElement"] for relation in bill["relationships"]
           if relation["relationshipType"] in ("DYNAMIC_LINK", "STATIC_LINK")}
 for package in bill["packages"]:
     expect(package["SPDXID"] not in linked or package["licenseDeclared"] != "NOASSERTION",
-           f"{package['name']} is linked, and scripts/sbom does not know its licence")
+           f"{package['name']} is linked, and tests/tools/sbom does not know its licence")
 related = {relation[end] for relation in bill["relationships"] for end in ("spdxElementId", "relatedSpdxElement")}
 expect(set(identifiers) == related, f"related to nothing: {set(identifiers) - related}")
 
@@ -104,10 +104,10 @@ for name in sorted(set(asked) - {"Threads"}):  # of the C library, which ldd fin
         continue  # optional
     packages = set(owners(files).values())
     expect(packages and packages <= set(versions), f"CMake finds {name} in {packages or 'nothing'}: not listed")
-for line in (root / "report/vendor/SHA256SUMS").read_text().splitlines():
+for line in (root / "app/report/vendor/SHA256SUMS").read_text().splitlines():
     value, name = line.split()
     expect(any(file["fileName"] == f"./report/vendor/{name}" and file["checksums"][1]["checksumValue"] == value
-               for file in bill["files"]), f"report/vendor/{name}: not listed")
+               for file in bill["files"]), f"app/report/vendor/{name}: not listed")
 installed = set(subprocess.run(["dpkg-query", "-W", "-f", "${Package} ${Version}\n"], capture_output=True, text=True,
                                check=True).stdout.splitlines())
 for package in bill["packages"]:

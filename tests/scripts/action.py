@@ -60,7 +60,7 @@ with tempfile.TemporaryDirectory() as folder:
     shutil.copy(examples / "plain", repository / "multiply")
     step = documented_step()
 
-    routine = (root / "tests/judge/routines/mul.asm").read_text(encoding="utf-8")
+    routine = (root / "tests/judge/code/routines/mul.asm").read_text(encoding="utf-8")
     (repository / "src/mul.asm").write_text(routine)
     status, said = status_of(repository, action_path, step["with"])
     if status:

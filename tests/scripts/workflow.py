@@ -33,7 +33,7 @@ def expanded(text, matrix):
 
 presets = {preset["name"] for preset in json.loads((root / "CMakePresets.json").read_text())["testPresets"]}
 labels = set(re.findall(r"LABELS (\w+)", " ".join(path.read_text() for path in root.glob("tests/*/CMakeLists.txt"))))
-processors = set(re.findall(r'^  "(\w+) [\w-]+-(?:linux-gnu|w64-mingw32)', (root / "scripts/platforms").read_text(), re.M))
+processors = set(re.findall(r'^  "(\w+) [\w-]+-(?:linux-gnu|w64-mingw32)', (root / "tests/tools/platforms").read_text(), re.M))
 
 
 def check_command(place, command):
@@ -46,7 +46,7 @@ def check_command(place, command):
         breaches.append(f"{place}: no script {script}")
     elif words[0] != "source" and not os.access(root / script, os.X_OK):
         breaches.append(f"{place}: {script} cannot be run")
-    if script.startswith("scripts/") and words[0] != "source":
+    if script.startswith("tests/tools/") and words[0] != "source":
         known = set(re.findall(r"--[a-z][a-z-]*", (root / script).read_text()))
         breaches.extend(f"{place}: {script} has no {word}" for word in words[1:]
                         if word.startswith("--") and word not in known)
@@ -56,7 +56,7 @@ def check_command(place, command):
             breaches.append(f"{place}: no preset {preset}")
         if options and (options[0] != "-L" or options[1] not in labels):
             breaches.append(f"{place}: no label {' '.join(options)}")
-    if script == "scripts/platforms":
+    if script == "tests/tools/platforms":
         breaches.extend(f"{place}: no processor {word}" for word in words[3:] if word not in processors)
         return words[3:]
 

@@ -6,7 +6,7 @@ export LC_ALL=C
 fixproof=$(realpath "${1:?usage: ${0##*/} FIXPROOF SCENES}")
 # shellcheck disable=SC2034  # of those who source this
 scenes=$(realpath "${2:?usage: ${0##*/} FIXPROOF SCENES}")
-interrupted=$(dirname "$(realpath "${BASH_SOURCE[0]}")")/../cli/interrupted
+interrupted=$(dirname "$(realpath "${BASH_SOURCE[0]}")")/interrupted
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1

@@ -7,7 +7,7 @@
 
 namespace paths {
 
-/// A file of the tree, as in `source("scenes/solid.json")`.
+/// A file of the tree, as in `source("xsharp/scenes/solid.json")`.
 [[nodiscard]] std::string source(const std::string& file);
 
 /// A file of the build.
@@ -16,7 +16,9 @@ namespace paths {
 /// `fixproof`.
 [[nodiscard]] inline std::string command() { return built("fixproof"); }
 
-/// A file of `scenes/`.
-[[nodiscard]] inline std::string scene(const std::string& file) { return source("scenes/" + file); }
+/// A file of `xsharp/scenes/`.
+[[nodiscard]] inline std::string scene(const std::string& file) {
+  return source("xsharp/scenes/" + file);
+}
 
 }  // namespace paths

@@ -2,9 +2,9 @@
 // widths.
 #include "x86model/compiled.hpp"
 
-#include "parties/parties.hpp"
 #include "tests/support/test.hpp"
 #include "tests/x86model/cases.hpp"
+#include "verify/parties/parties.hpp"
 
 namespace {
 

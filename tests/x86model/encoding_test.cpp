@@ -1,7 +1,7 @@
 #include "x86model/encoding.hpp"
 
-#include "machine_code/machine_code.hpp"
 #include "tests/support/test.hpp"
+#include "verify/machine_code/machine_code.hpp"
 #include "x86model/cosine_table.hpp"
 #include "x86model/notation.hpp"
 #include "x86model/text.hpp"

@@ -1,9 +1,9 @@
 // Tests that the model is minimal: routines and loops execute every form of instruction, and
-// leaving out any form gives results that the oracle rejects. For the loops, tests/loops tests the
-// latter.
-#include "parties/party.hpp"
+// leaving out any form gives results that the oracle rejects. For the loops, tests/verify/loops
+// tests the latter.
 #include "tests/support/test.hpp"
 #include "tests/x86model/cases.hpp"
+#include "verify/parties/party.hpp"
 #include "x86model/call_loop.hpp"
 #include "x86model/notation.hpp"
 #include "x86model/text.hpp"

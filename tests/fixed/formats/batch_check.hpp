@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "batch/batch.hpp"
+#include "fixed/batch/batch.hpp"
 #include "fixed/fixed.hpp"
 #include "tests/fixed/formats/reference.hpp"
 #include "tests/support/test.hpp"

@@ -110,7 +110,7 @@ constexpr auto vertices = []<class N>() {
     const auto marks = std::make_unique<bool[]>(count);
     for (const path use : paths()) {
       const batch::options how{use, {marks.get(), count}};
-      // tests/batch/vertices_test.cpp has every layout, in 16.16 and 8.8.
+      // tests/fixed/batch/vertices_test.cpp has every layout, in 16.16 and 8.8.
       std::vector<Column> got = columns_of(in);
       auto report =
           batch::transform(rows, got[0].numbers<N>(), got[1].numbers<N>(), got[2].numbers<N>(),

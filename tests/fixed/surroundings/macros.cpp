@@ -65,10 +65,10 @@
 #define _B 0200
 // NOLINTEND(cppcoreguidelines-macro-usage)
 
-#include "batch/batch.hpp"
-#include "batch/functions.hpp"
-#include "batch/radian.hpp"
 #include "fixed/angle.hpp"
+#include "fixed/batch/batch.hpp"
+#include "fixed/batch/functions.hpp"
+#include "fixed/batch/radian.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
 #include "fixed/power.hpp"

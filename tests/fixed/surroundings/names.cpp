@@ -5,10 +5,10 @@
 // NOLINTNEXTLINE(google-build-using-namespace): what is tested
 using namespace std;
 
-#include "batch/batch.hpp"
-#include "batch/functions.hpp"
-#include "batch/radian.hpp"
 #include "fixed/angle.hpp"
+#include "fixed/batch/batch.hpp"
+#include "fixed/batch/functions.hpp"
+#include "fixed/batch/radian.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
 #include "fixed/power.hpp"

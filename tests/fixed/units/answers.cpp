@@ -1,9 +1,9 @@
 // The same operations for every translation unit; ANSWERS names the function of this one.
 #include <string>
 
-#include "batch/batch.hpp"
-#include "batch/radian.hpp"
 #include "fixed/angle.hpp"
+#include "fixed/batch/batch.hpp"
+#include "fixed/batch/radian.hpp"
 #include "fixed/bytes.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"

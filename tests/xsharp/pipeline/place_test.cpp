@@ -60,7 +60,7 @@ namespace {
 
 template <class N>
 struct Placing : testing::Test {};
-// tests/batch covers the operations under every preset.
+// tests/fixed/batch covers the operations under every preset.
 using batch_types =
     testing::Types<fixproof::q16_16, fixproof::q16_16_saturating, fixproof::q16_16_trapping,
                    fixproof::q16_16_i386, fixproof::q16_16_i8088, fixproof::q16_16_i8088_unrounded>;

@@ -1,0 +1,84 @@
+#include "app/cli/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/noncopyable.hpp>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <new>
+
+#include "app/cli/option_names.hpp"
+#include "app/cli/print_error.hpp"
+#include "support/build_info/build_info.hpp"
+#include "support/interrupt.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+/// @throws std::bad_alloc
+int run(std::vector<std::string> arguments, AddCommands& add_commands) {
+  CLI::App app{
+      "Bit-exact verification of 16.16 fixed-point arithmetic. Compares a register-level model of\n"
+      "FIXED.ASM for the 8088 and the 386, a big-integer oracle and a C++ number type."};
+  int status = 0;
+  app.name("fixproof");
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.require_subcommand(0, 1);
+  app.set_version_flag("--version", std::string(support::program_version()));
+  add_commands(app, status);
+  try {
+    // CLI11 expects the arguments in reverse order.
+    std::reverse(arguments.begin(), arguments.end());
+    app.parse(std::move(arguments));
+    if (app.get_subcommands().empty())
+      throw support::UsageError("no command given (see fixproof --help)");
+  } catch (const CLI::Success& help) {
+    app.exit(help);
+  } catch (const CLI::ExtrasError&) {
+    const auto extra = app.remaining(true);
+    const char* what = app.get_subcommands().empty() ? "unknown command" : "unexpected argument";
+    print_error(fmt::format("{}: {} (see fixproof --help)", what, extra.front()));
+    return 2;
+  } catch (const CLI::ExcludesError&) {
+    print_error(fmt::format("{} (see fixproof --help)", exclusion_in(app)));
+    return 2;
+  } catch (const CLI::ParseError& error) {
+    print_error(fmt::format("{} (see fixproof --help)", error.what()));
+    return 2;
+  } catch (const support::Stopped&) {
+    print_error("stopped");
+    return support::interrupted_status;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    std::cout.flush();
+    print_error(error.what());
+    return support::Interrupt::flag() ? support::interrupted_status : 2;
+  }
+  // Flushing reveals a full disk or a closed pipe.
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    print_error("cannot write standard output");
+    return 2;
+  }
+  return status;
+}
+
+}  // namespace
+
+int run_command_line(std::vector<std::string> arguments, AddCommands& add_commands) {
+  try {
+    return run(std::move(arguments), add_commands);
+  } catch (const std::bad_alloc&) {
+    std::cout.flush();
+    print_error("out of memory");
+    return 2;
+  }
+}
+
+}  // namespace fixproof::cli

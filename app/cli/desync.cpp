@@ -1,0 +1,217 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "app/cli/commands.hpp"
+#include "judge/desync/compare.hpp"
+#include "judge/desync/log_file.hpp"
+#include "judge/desync/values.hpp"
+#include "support/file.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+using desync::Comparison;
+using desync::LogFile;
+using desync::Place;
+using desync::Verdict;
+
+struct DesyncOptions {
+  std::string a;
+  std::string b;
+  bool rollback = false;
+};
+
+/// How many records are printed before and after the one that differs.
+constexpr std::size_t context_records = 3;
+
+std::string frame_text(std::int64_t frame) {
+  return frame == record::no_frame ? "before the first frame" : fmt::format("frame {}", frame);
+}
+
+/// Returns "1 block" or "2 blocks".
+std::string count_of(desync::word number, const char* noun) {
+  return fmt::format("{} {}{}", support::grouped(number), noun, number == 1 ? "" : "s");
+}
+
+void print_log(const char* side, const LogFile& log) {
+  std::string made;
+  for (const char c : log.origin()) made += c == '\n' ? "; " : std::string(1, c);
+  if (made.ends_with("; ")) made.resize(made.size() - 2);
+  std::cout << fmt::format("{}: {}\n   {}\n", side, support::printable(log.path()),
+                           support::printable(made));
+  if (!log.is_complete()) {
+    std::cout << fmt::format(
+        "   not closed: the program was killed, or it still runs{}\n",
+        log.torn_bytes() == 0
+            ? ""
+            : fmt::format("; {} at the end", count_of(log.torn_bytes(), "torn byte")));
+  }
+}
+
+/// Returns the mark in force at a record of a place, or an empty text.
+std::string mark_at(LogFile& log, const Place& place, std::size_t index) {
+  if (index < place.records.size() && place.records[index].name != 0) {
+    return log.name_with_hash(place.records[index].name);
+  }
+  return place.entry.name == 0 ? "" : log.name(place.entry.name);
+}
+
+void print_record(std::string_view side, LogFile& log, const Place& place, std::size_t index) {
+  const desync::Record& record = place.records[index];
+  const desync::Operation operation = desync::operation_of(record.words);
+  std::string text = operation.kind == record::kind::mark
+                         ? "mark " + log.name_with_hash(record.words[1])
+                         : desync::text_of(operation);
+  std::string source;
+  if (record.input) {
+    source = fmt::format(" from the double {} ({:016x})", std::bit_cast<double>(*record.input),
+                         *record.input);
+  }
+  if (record.line != 0 && record::is_operation(operation.kind)) {
+    source += fmt::format("  {}:{}", log.name(record.file), record.line);
+  }
+  std::cout << fmt::format("{} {:>14}  {}{}\n", side, support::grouped(record.operation),
+                           support::printable(text), support::printable(source));
+}
+
+void print_side(const char* side, LogFile& log, const Place& place) {
+  if (!place.index) {
+    std::cout << fmt::format("{} {:>14}  the frame ends here\n", side, "");
+    return;
+  }
+  const std::size_t index = *place.index;
+  const std::size_t end = std::min(place.records.size(), index + 1 + context_records);
+  for (std::size_t i = index - std::min(index, context_records); i < end; ++i) {
+    print_record(fmt::format("{}{}", side, i == index ? '>' : ' '), log, place, i);
+  }
+}
+
+const char* explanation(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::input:
+      return "The numbers that enter differ: check how the programs compute or read them, and\n"
+             "which options they are compiled with.";
+    case Verdict::operands:
+      return "The operands differ, although every recorded operation before this one is equal. A\n"
+             "value came from memory that was loaded or copied, or from an uninitialised variable.";
+    case Verdict::arithmetic:
+      return "The results differ for the same operands: the arithmetic is not the same.";
+    case Verdict::order:
+      return "The order differs: both sides apply the same two operations to a value, in a\n"
+             "different order.";
+    case Verdict::type:
+      return "The number types differ: the programs are compiled with different formats or rules, "
+             "or\n"
+             "they take different branches from here.";
+    case Verdict::path:
+      return "The operations differ: the programs take different branches from here. An earlier\n"
+             "branch or loop depends on something that is not recorded.";
+    default:
+      return "";
+  }
+}
+
+void print_hint(const Comparison& found, bool rollback) {
+  const std::string range = rollback ? fmt::format("frames:{0}-{0}", found.a.entry.frame)
+                                     : fmt::format("{}-{}", found.a.block, found.a.block + 1);
+  std::cout << fmt::format(
+      "To see the operation, run both programs again with FIXPROOF_RECORD_FULL={} in their\n"
+      "environment, and compare the new logs.\n",
+      range);
+}
+
+int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
+  const auto closing = fmt::format("{}, {} read\n", count_of(found.steps, "step"),
+                                   count_of(a.pages_read() + b.pages_read(), "page"));
+  if (found.verdict == Verdict::equal || found.verdict == Verdict::ended) {
+    std::cout << fmt::format("No difference in {}, {}. {}", count_of(found.operations, "operation"),
+                             count_of(found.blocks, rollback ? "common frame" : "common block"),
+                             closing);
+    if (found.verdict == Verdict::ended && !rollback && !found.a.index && !found.b.index) {
+      std::cout << fmt::format(
+          "{} ends in block {}, which is not compared. To compare it, record it in full with\n"
+          "FIXPROOF_RECORD_FULL={}-{}.\n",
+          found.a.entry.operations < found.b.entry.operations ? "A" : "B", found.a.block,
+          found.a.block, found.a.block + 1);
+    }
+    if (!rollback && a.blocks() != b.blocks()) {
+      std::cout << fmt::format(
+          "{} continues for {}.\n", a.blocks() > b.blocks() ? "A" : "B",
+          count_of(std::max(a.blocks(), b.blocks()) - found.blocks, "more block"));
+    }
+    return 0;
+  }
+  const desync::Entry& entry = found.a.entry;
+  const std::string mark = mark_at(a, found.a, found.a.index.value_or(0));
+  std::cout << fmt::format(
+      "First difference: block {} ({}{}), {}", found.a.block, frame_text(entry.frame),
+      mark.empty() ? "" : ", after the mark " + support::quoted(mark), closing);
+  if (found.verdict == Verdict::block) {
+    std::cout << fmt::format(
+        "It is one of the operations {} to {} of A.\n", support::grouped(entry.first_operation),
+        support::grouped(entry.first_operation + std::max<desync::word>(entry.operations, 1) - 1));
+    if (entry.frame != found.b.entry.frame && !rollback) {
+      std::cout << fmt::format(
+          "B is {}{} there. If the programs simulate frames again, compare with --rollback.\n",
+          found.b.entry.frame == record::no_frame ? "" : "in ", frame_text(found.b.entry.frame));
+    }
+    print_hint(found, rollback);
+    return 1;
+  }
+  print_side("A", a, found.a);
+  print_side("B", b, found.b);
+  std::cout << explanation(found.verdict) << '\n';
+  return 1;
+}
+
+}  // namespace
+
+void add_desync(CLI::App& app, int& status) {
+  auto options = std::make_shared<DesyncOptions>();
+  CLI::App* command =
+      app.add_subcommand("desync", "find the first operation in which two recorded runs differ");
+  command->add_option("a", options->a, "the log of one run, written by record::log")->required();
+  command->add_option("b", options->b, "the log of the other run")->required();
+  command->add_flag(
+      "--rollback", options->rollback,
+      "compare the last simulation of every frame instead of the runs from their beginning");
+  command->footer(
+      R"(A program that computes with fixproof::recorded<q16_16> writes such a log (docs/recorder.md).
+The first comparison names a block of up to 1,024 records. Run both programs again with the range
+that it prints. The second comparison then shows the operation.
+Exit status: 0 if there is no difference, 1 if there is one, 2 if a log cannot be read or nothing
+was compared.
+
+Examples:
+  fixproof desync mine.log theirs.log           # names the block
+  FIXPROOF_RECORD_FULL=97655-97656 ./game       # on both machines
+  fixproof desync mine.log theirs.log           # shows the operation)");
+  command->callback([options, &status] {
+    if (support::same_file(options->a, options->b)) {
+      throw support::UsageError(fmt::format(
+          "{} and {} are the same file; give the logs of two runs", options->a, options->b));
+    }
+    LogFile a(options->a);
+    LogFile b(options->b);
+    print_log("A", a);
+    print_log("B", b);
+    const Comparison found = options->rollback ? compare_last_frames(a, b) : compare(a, b);
+    if (found.blocks == 0) {
+      throw support::UsageError(
+          fmt::format("{} and {} have no {} in common, so nothing was compared", options->a,
+                      options->b, options->rollback ? "frame" : "block"));
+    }
+    status = print(found, a, b, options->rollback);
+  });
+}
+
+}  // namespace fixproof::cli

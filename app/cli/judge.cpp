@@ -1,0 +1,308 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/judge_listing.hpp"
+#include "app/cli/judge_options.hpp"
+#include "app/cli/judge_text.hpp"
+#include "app/cli/port_option.hpp"
+#include "app/cli/rule_named.hpp"
+#include "judge/code/clocks.hpp"
+#include "judge/code/code_width.hpp"
+#include "judge/code/inspection.hpp"
+#include "judge/code/listing.hpp"
+#include "judge/code/load.hpp"
+#include "judge/code/prove.hpp"
+#include "judge/code/verdict.hpp"
+#include "support/frame_progress.hpp"
+#include "support/interrupt.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+#include "verify/cases/words.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+/// Shorter names of operations that only this command takes.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> short_names{
+    {{"muldiv", "mul_div"}, {"sin_cos", "cossin"}, {"transform", "xformvec"}}};
+
+bool is_whole(cases::Operation operation) {
+  return operation == cases::Operation::cossin || operation == cases::Operation::xformvec;
+}
+
+cases::Operation operation_of(std::string_view name) {
+  for (const auto& [shorter, known] : short_names) {
+    if (name == shorter) name = known;
+  }
+  const cases::Operation operation = cases::operation_named(name);
+  if (!is_whole(operation) && (!check::is_judged(operation) || cases::is_conversion(operation))) {
+    throw support::UsageError(fmt::format(
+        "--as {}: choose mul, div, sqrt, add, sub, muldiv, sin_cos, transform, or a function of "
+        "docs/functions.md; ? tries them",
+        name));
+  }
+  return operation;
+}
+
+judge::Image image_of(const JudgeOptions& options) {
+  judge::LoadOptions load{.at = options.at, .symbol = options.symbol};
+  if (options.bits != 0) load.bits = options.bits;
+  if (!options.at.empty() && !options.symbol.empty()) {
+    throw support::UsageError("--at and --symbol both name the routine; leave one out");
+  }
+  return judge::load(options.file, load);
+}
+
+cases::Variant variant_of(cases::Operation operation, const cases::Format& format) {
+  cases::check_format(operation, format);
+  if (is_whole(operation) && format != cases::q16_16) {
+    throw support::UsageError(
+        fmt::format("--as {} is for q16_16; leave out --format", cases::name_of(operation)));
+  }
+  cases::Variant variant = check::variant_of(operation, format);
+  if (operation == cases::Operation::cossin) variant.build.target = cases::Target::i386;
+  return variant;
+}
+
+check::Rules rules_of(const JudgeOptions& options, const cases::Variant& variant) {
+  if (!options.rule.empty()) {
+    return port_rules_named(options.rule, variant.operation, variant.format);
+  }
+  check::Rules rules{.operation = variant.operation, .format = variant.format};
+  const bool rounds = !is_whole(variant.operation) && check::is_rounded(variant.operation);
+  if (!options.rounding.empty()) {
+    if (!rounds) throw support::UsageError("--rounding applies only to results that are rounded");
+    rules.rounding = rule_named("--rounding", options.rounding, check::roundings());
+  }
+  rules.overflow = rule_named("--overflow", options.overflow, check::overflow_rules(),
+                              std::optional(check::Overflow::any));
+  const auto no_result = check::no_result_rules(variant.operation);
+  rules.no_result = no_result.empty() ? check::NoResult::any
+                                      : rule_named("--no-result", options.no_result, no_result,
+                                                   std::optional(check::NoResult::any));
+  return rules;
+}
+
+/// Where the rounding of a verdict comes from.
+enum class Rounding { given, fitting, unknown };
+
+std::string rules_line(const check::Rules& rules, Rounding rounding) {
+  std::string text =
+      fmt::format("{} {}: ", cases::name_of(rules.operation), cases::name_of(rules.format));
+  if (is_whole(rules.operation)) return text + "every rule is tried";
+  if (rules.port != nullptr) {
+    return text + fmt::format("{}{}", port_text(*rules.port),
+                              rounding == Rounding::fitting ? ", which fits" : "");
+  }
+  if (!check::is_rounded(rules.operation)) {
+    text += "exact";
+  } else if (rounding == Rounding::unknown) {
+    text += "any rounding";
+  } else {
+    text += fmt::format("{}{}", check::name_of(rules.rounding),
+                        rounding == Rounding::fitting ? ", the rounding that fits best" : "");
+  }
+  if (check::can_overflow(rules.operation, rules.format)) {
+    text += fmt::format("; overflow {}", check::name_of(rules.overflow));
+  }
+  if (check::can_lack_result(rules.operation, rules.format)) {
+    text += fmt::format("; without a result {}", check::name_of(rules.no_result));
+  }
+  return text;
+}
+
+judge::Subject subject_of(const JudgeOptions& options, const judge::Image& image,
+                          const cases::Variant& variant) {
+  judge::Subject subject{image, judge::frame_named(options.frame, image.bits), variant};
+  judge::expect_fit(subject.frame, variant, image.bits);
+  return subject;
+}
+
+/// What `--as ?` tries, in order of preference.
+constexpr std::array asked{
+    cases::Operation::mul,  cases::Operation::div,   cases::Operation::add,
+    cases::Operation::sub,  cases::Operation::sqrt,  cases::Operation::mul_div,
+    cases::Operation::fmod, cases::Operation::hypot, cases::Operation::atan2,
+    cases::Operation::sin,  cases::Operation::cos,   cases::Operation::exp2,
+    cases::Operation::log2, cases::Operation::rsqrt, cases::Operation::reciprocal};
+constexpr std::uint64_t cases_to_ask = 2000;
+
+/// Prints how well each operation fits, and returns the one whose rounding fits most cases in
+/// range.
+/// @throws support::UsageError if none fits half of them
+cases::Operation ask_operation(const JudgeOptions& options, const judge::Image& image) {
+  const cases::Format format = cases::format_named(options.format);
+  std::optional<cases::Operation> best;
+  double least = 0.5;
+  for (const cases::Operation operation : asked) {
+    if (!cases::is_in_format(operation, format)) continue;
+    judge::VerdictOptions trial;
+    judge::Subject subject{image, judge::frame_named(options.frame, image.bits),
+                           variant_of(operation, format)};
+    try {
+      judge::expect_fit(subject.frame, subject.variant, image.bits);
+    } catch (const support::UsageError&) {
+      continue;  // another number of operands
+    }
+    trial.rules = {.operation = operation,
+                   .overflow = check::Overflow::any,
+                   .no_result = check::NoResult::any,
+                   .format = format};
+    trial.cases.cases = cases_to_ask;
+    const judge::Verdict verdict = judge::judge_routine(subject, trial);
+    if (verdict.stuck) continue;
+    const check::RuleScore score = verdict.judge->trial().rounding().first;
+    if (score.cases == 0) continue;
+    const double share =
+        static_cast<double>(score.exceptions.count()) / static_cast<double>(score.cases);
+    std::cout << fmt::format("{:<12} {:5.1f} % of {} cases in range\n", cases::name_of(operation),
+                             100 * (1 - share), support::grouped(score.cases));
+    if (share >= least) continue;
+    least = share;
+    best = operation;
+  }
+  if (!best) {
+    throw support::UsageError(
+        "--as ?: no operation fits half of its cases; check --frame, --format and --bits");
+  }
+  std::cout << '\n';
+  return *best;
+}
+
+int trace_case(const judge::Subject& subject, const std::string& operands) {
+  if (const std::string reason = judge::absence_on_unicorn(); !reason.empty()) {
+    throw support::UsageError(fmt::format("--trace: {}", reason));
+  }
+  std::vector<std::uint32_t> words(words_in(subject.variant));
+  cases::parse_words(operands, subject.variant, words);
+  const judge::TraceText trace = judge::trace_text(subject, words);
+  std::cout << trace.steps;
+  if (trace.ending.end != judge::End::returned) {
+    std::cout << text_of(trace.ending, subject.image) << '\n';
+  }
+  return 0;
+}
+
+/// Prints what single calls show. Returns whether they have no defect.
+bool print_inspection(const judge::Subject& subject) {
+  if (const std::string reason = judge::absence_on_unicorn(); !reason.empty()) {
+    std::cout << fmt::format("\nno calls step by step: {}\n", reason);
+    return true;
+  }
+  const judge::Inspection inspection = judge::inspect(subject);
+  std::cout << '\n' << inspection_text(inspection);
+  return inspection.is_clean();
+}
+
+void print_clocks(const judge::Subject& subject) {
+  const std::string reason = judge::absence_on_unicorn();
+  std::cout << '\n'
+            << (reason.empty() ? clocks_text(judge::count_clocks(subject))
+                               : fmt::format("clocks are not counted: {}\n", reason));
+}
+
+/// Prints a proof, a counterexample, or why there is neither. Returns false for a counterexample.
+bool print_proof(const JudgeOptions& options, const judge::Subject& subject,
+                 const judge::Verdict& verdict) {
+  const proof::Solver solver(options.solver.name);
+  const judge::RoutineProof proof =
+      judge::prove(subject, verdict.rules, verdict.machine, solver, options.solver.seconds);
+  std::cout << '\n' << proof_text(proof, verdict.rules, solver.version());
+  return proof.standing != proof::Standing::disproven;
+}
+
+/// Tells whether a routine fails as code for another width does.
+bool fails_widely(const judge::Verdict& verdict) {
+  if (verdict.stuck) return verdict.stuck->ending.end != judge::End::endless;
+  return verdict.judge && 2 * verdict.judge->wrong().count() > verdict.judge->cases();
+}
+
+/// Returns the exit status. If the routine fails, it may be code that the machine misreads.
+int status_of(bool right, const judge::Image& image, const judge::Verdict& verdict) {
+  if (right) return 0;
+  if (judge::looks_like_64_bits(image)) {
+    std::cout << fmt::format(
+        "\nThe code looks like 64-bit code, and ran as {}-bit code: compile with -m32.\n",
+        image.bits);
+  } else if (image.has_assumed_bits && fails_widely(verdict)) {
+    std::cout << "\nThe code ran as 16-bit code: add --bits 32 if it has 32 bits.\n";
+  }
+  return 1;
+}
+
+/// Judges a routine whose results have several words, and returns the exit status.
+int judge_whole_results(const JudgeOptions& options, const judge::Subject& subject,
+                        const judge::VerdictOptions& use,
+                        std::optional<support::FrameProgress>& progress) {
+  if (options.prove) throw support::UsageError("--prove is for a routine with one result");
+  const judge::WholeVerdict whole = judge::judge_whole(subject, use);
+  progress.reset();
+  std::cout << heading_text(subject, options.file, rules_line(use.rules, Rounding::given))
+            << whole_text(subject, whole);
+  if (whole.verdict.stuck) return status_of(false, subject.image, whole.verdict);
+  const bool right = print_inspection(subject) && whole.verdict.is_right() &&
+                     whole.candidates.front().exceptions == 0;
+  if (options.clocks) print_clocks(subject);
+  return status_of(right, subject.image, whole.verdict);
+}
+
+int judge_file(const JudgeOptions& options, const CLI::App& command) {
+  const support::Interrupt interrupt;
+  expect_effects(command);
+  if (!options.listing.routines.empty()) {
+    return judge_against_listings(options.file, options.at, options.listing);
+  }
+  const judge::Image image = image_of(options);
+  if (options.list) {
+    std::cout << judge::source_of(image);
+    return 0;
+  }
+  if (options.operation.empty()) {
+    throw support::UsageError("--as is required; name what the routine computes, or ? to find out");
+  }
+  const cases::Operation operation =
+      options.operation == "?" ? ask_operation(options, image) : operation_of(options.operation);
+  const cases::Variant variant = variant_of(operation, cases::format_named(options.format));
+  const judge::Subject subject = subject_of(options, image, variant);
+  if (!options.trace.empty()) return trace_case(subject, options.trace);
+  judge::VerdictOptions use{
+      .rules = rules_of(options, variant), .cases = options.cases, .shown = options.shown};
+  std::optional<support::FrameProgress> progress;
+  use.progress = [&](std::uint64_t done, std::uint64_t all) {
+    if (!progress) progress.emplace(all, "cases");
+    progress->show(done);
+  };
+  if (is_whole(operation)) return judge_whole_results(options, subject, use, progress);
+  use.rounding_is_open =
+      options.rounding.empty() && options.rule.empty() && check::is_rounded(operation);
+  const judge::Verdict verdict = judge::judge_routine(subject, use);
+  progress.reset();
+  const Rounding rounding = !use.rounding_is_open            ? Rounding::given
+                            : verdict.stuck || verdict.state ? Rounding::unknown
+                                                             : Rounding::fitting;
+  std::cout << heading_text(subject, options.file, rules_line(verdict.rules, rounding))
+            << verdict_text(subject, verdict);
+  if (verdict.stuck) return status_of(false, image, verdict);
+  bool right = print_inspection(subject) && verdict.is_right();
+  if (options.clocks) print_clocks(subject);
+  if (options.prove && !verdict.state) right = print_proof(options, subject, verdict) && right;
+  return status_of(right, image, verdict);
+}
+
+}  // namespace
+
+void add_judge(CLI::App& app, int& status) {
+  auto options = std::make_shared<JudgeOptions>();
+  CLI::App* command =
+      app.add_subcommand("judge", "judge a machine-code routine of your own, for 16 or 32 bits");
+  options->add_to(*command);
+  command->callback([options, command, &status] { status = judge_file(*options, *command); });
+}
+
+}  // namespace fixproof::cli

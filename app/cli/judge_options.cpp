@@ -1,0 +1,142 @@
+#include "app/cli/judge_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/cli/arguments.hpp"
+#include "app/cli/case_options.hpp"
+#include "app/cli/port_option.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::cli {
+
+namespace {
+
+/// Refuses options other than `effective` beside one that needs no others.
+void expect_only(const CLI::App& command, const std::string& mode,
+                 const std::vector<std::string>& effective) {
+  if (command.count(mode) == 0) return;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || name == mode ||
+        std::ranges::find(effective, name) != effective.end())
+      continue;
+    throw support::UsageError(fmt::format("{} has no effect with {}; leave it out", name, mode));
+  }
+}
+
+}  // namespace
+
+void expect_effects(const CLI::App& command) {
+  expect_only(command, "--list", {"file", "--at", "--symbol", "--bits"});
+  expect_only(command, "--trace",
+              {"file", "--at", "--symbol", "--bits", "--as", "--frame", "--format"});
+  expect_only(command, "--against-listing",
+              {"file", "--at", "--target", "--round", "--mul-round", "--div-round", "--as-printed",
+               "--chapter", "--repaired"});
+}
+
+void JudgeOptions::add_to(CLI::App& command) {
+  command
+      .add_option("file", file,
+                  "the file with the routine: a .COM, MZ .EXE, ELF object (i386), NASM source or "
+                  "flat binary")
+      ->required()
+      ->check(not_empty());
+  command
+      .add_option(
+          "--as", operation,
+          "what the routine computes: mul, div, sqrt, add, sub, muldiv, sin_cos, transform, a "
+          "function of docs/functions.md, or ? to find out; required unless --list or "
+          "--against-listing is given")
+      ->check(not_empty());
+  command
+      .add_option("--frame", frame,
+                  "calling convention: c, c-far, pascal, pascal-far, stdcall, or registers such as "
+                  "'eax, ebx -> eax' or 'dx:ax, cx:bx -> dx:ax keeps si'")
+      ->check(not_empty())
+      ->capture_default_str();
+  command
+      .add_option("--at", at,
+                  "where the routine is: OFFSET, OFFSET..END or, in hex, SEGMENT:OFFSET")
+      ->check(not_empty());
+  command.add_option("--symbol", symbol, "the name of the routine in an ELF object or NASM source")
+      ->check(not_empty());
+  command
+      .add_option(
+          "--bits", bits,
+          "width of the code, 16 or 32; by default 32 for an ELF object, what BITS says for "
+          "NASM source, else 16")
+      ->check(CLI::IsMember({16, 32}));
+  command
+      .add_option("--format", format,
+                  "format of the words: qW_F signed or uW_F unsigned, 8, 16, 32 or 64 bits in all")
+      ->capture_default_str();
+  command
+      .add_option("--rounding", rounding,
+                  "expected rounding: half-up, half-away, half-even, floor or toward-zero; by "
+                  "default the one that fits best")
+      ->check(not_empty());
+  command
+      .add_option("--overflow", overflow,
+                  "expected result of an overflow: wrap, saturate, symmetric, maximum, minimum, de "
+                  "or any")
+      ->check(not_empty())
+      ->capture_default_str();
+  command
+      .add_option("--no-result", no_result,
+                  "expected result where there is none, as in a division by 0: any, or a value of "
+                  "--divide-by-zero, --negative-root or --outside-domain of check")
+      ->check(not_empty())
+      ->capture_default_str();
+  add_port_option(command, rule, {"--rounding", "--overflow", "--no-result"});
+  add_case_options(command, cases);
+  command.add_option("--show", shown, "number of wrong results to show")
+      ->transform(whole_number(0, 1'000'000))
+      ->capture_default_str();
+  CLI::Option* const proves = command.add_flag(
+      "--prove", prove, "also prove the routine for all operands, or find a case that fails");
+  solver.add_to(command);
+  for (const char* name : {"--solver", "--timeout"}) command.get_option(name)->needs(proves);
+  command.add_flag(
+      "--clocks", clocks,
+      "also count the clocks of calls on an 8088, 286, 386 and 486, by Intel's tables, "
+      "and the bytes of code that they fetch and of data that they read and write");
+  command.add_flag("--list", list,
+                   "only disassemble the routine, to NASM source of the same bytes");
+  command
+      .add_option(
+          "--trace", trace,
+          "only run one case step by step; write its operands as gen does, such as '00018000 "
+          "00020000'")
+      ->check(not_empty());
+  listing.add_to(command);
+  command.footer(
+      R"(The routine runs on every case of `fixproof gen`, in a process of its own that can open no file and
+start no program. It runs on this processor, or on Unicorn if the processor cannot run it.
+
+--frame says where the operands and the result are. Name the registers in the order of the
+operands, a pair with its upper half first, a pointer in brackets. In the stack conventions, the
+routine must preserve (E)BP, (E)SI and (E)DI, and also EBX in 32-bit code. After registers, `keeps`
+names those that it must preserve. It must always leave the direction flag clear, the x87 stack
+empty, and DS, SS and the x87's control word as they were.
+  mul, div, add, sub  two numbers          -> a number
+  sqrt                a number             -> a number
+  muldiv              a, b, c              -> a * b / c
+  sin_cos             tenths of a degree (16 bits) -> cosine and sine, or pointers to them
+  transform           pointers to 12, 3 and 3 numbers: matrix, vector, result
+
+Exit status: 0 if all results are right and there is no defect, 1 if there is one, 2 for bad usage
+or input, 130 if interrupted.
+
+Examples:
+  fixproof judge fixmul.asm --as mul --frame 'eax, ebx -> eax' --bits 32
+  fixproof judge game.exe --as mul --at 0:1f40 --frame c-far
+  fixproof judge doom.o --symbol FixedDiv --as div --rule doom
+  fixproof judge fixed.o --symbol fix_div --as div --rounding toward-zero
+  fixproof judge old.com --at 1a0h --as '?' --frame 'dx:ax, cx:bx -> dx:ax'
+  fixproof judge demo1.exe --against-listing all --mul-round on --div-round off)");
+}
+
+}  // namespace fixproof::cli

@@ -1,0 +1,45 @@
+/// @file
+/// The options of `judge`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/cli/judge_listing.hpp"
+#include "app/cli/solver_options.hpp"
+#include "judge/check/cases.hpp"
+
+namespace fixproof::cli {
+
+struct JudgeOptions {
+  std::string file;
+  std::string operation;
+  std::string format = "q16_16";
+  std::string rule;
+  std::string rounding;
+  std::string overflow = "any";
+  std::string no_result = "any";
+  std::string frame = "c";
+  int bits = 0;  ///< 0: what the container implies
+  std::string at;
+  std::string symbol;
+  check::CaseOptions cases;
+  std::size_t shown = 3;
+  bool list = false;
+  bool prove = false;
+  bool clocks = false;
+  SolverOptions solver{.seconds = 30};
+  std::string trace;
+  ListingOptions listing;
+
+  /// Adds the options and the help to a command, which must not outlive this object.
+  void add_to(CLI::App& command);
+};
+
+/// Refuses options that have no effect beside --list, --trace or --against-listing.
+/// @throws support::UsageError
+void expect_effects(const CLI::App& command);
+
+}  // namespace fixproof::cli

@@ -1,0 +1,43 @@
+/// @file
+/// The verdict of `judge` as text.
+#pragma once
+
+#include <string>
+
+#include "judge/code/clocks.hpp"
+#include "judge/code/inspection.hpp"
+#include "judge/code/prove.hpp"
+#include "judge/code/verdict.hpp"
+
+namespace fixproof::cli {
+
+/// Returns two lines: the routine and the rules.
+std::string heading_text(const judge::Subject& subject, const std::string& file,
+                         const std::string& rules);
+
+/// Returns where the cases ran and how the calls ended, without a judgement of the results.
+std::string calls_text(const judge::Subject& subject, const judge::Verdict& verdict);
+
+/// Returns the verdict with the counts, the rules and what the wrong cases have in common.
+std::string verdict_text(const judge::Subject& subject, const judge::Verdict& verdict);
+
+/// Returns the verdict on results of several words.
+std::string whole_text(const judge::Subject& subject, const judge::WholeVerdict& whole);
+
+/// Returns what the step-by-step calls show.
+std::string inspection_text(const judge::Inspection& inspection);
+
+/// Returns the clocks of each processor, or the instructions without a figure.
+std::string clocks_text(const judge::RoutineClocks& clocks);
+
+/// Returns the outcome of a proof.
+std::string proof_text(const judge::RoutineProof& proof, const check::Rules& rules,
+                       const std::string& solver);
+
+/// Returns how a call ended, and where.
+std::string text_of(const judge::Ending& ending, const judge::Image& image);
+
+/// Returns the names of the registers in a mask, such as `bx, si`.
+std::string register_names(unsigned mask, int bits);
+
+}  // namespace fixproof::cli

@@ -1,0 +1,31 @@
+#include <iostream>
+#include <memory>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/options.hpp"
+#include "app/cli/program.hpp"
+#include "x86model/text.hpp"
+
+namespace fixproof::cli {
+
+void add_list(CLI::App& app, int& status) {
+  auto options = std::make_shared<ProgramOptions>();
+  CLI::App* command = app.add_subcommand("list", "print a routine or an inner loop as NASM source");
+  options->add_to(*command, true);
+  command->footer(
+      "Examples:\n"
+      "  fixproof list div --target i8088 --round on > fixeddiv.asm && nasm -f bin fixeddiv.asm\n"
+      "  fixproof list gouraud-byte --loop dec-jnz");
+  command->callback([options, &status] {
+    if (const auto loop = options->choose_loop()) {
+      std::cout << x86model::nasm_source(*loop);
+      status = 0;
+      return;
+    }
+    const machine_code::ProgramKey chosen = options->choose();
+    std::cout << x86model::nasm_source(chosen.routine, chosen.target, chosen.build);
+    status = 0;
+  });
+}
+
+}  // namespace fixproof::cli

@@ -1,0 +1,6 @@
+#include "app/cli/commands.hpp"
+#include "app/cli/program_start.hpp"
+
+int main(int argc, char** argv) {
+  return fixproof::cli::start_program(argc, argv, fixproof::cli::add_all_commands);
+}

@@ -1,0 +1,35 @@
+/// @file
+/// Rules by the names that options take.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "judge/check/rules.hpp"
+#include "support/plain_text.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::cli {
+
+/// Returns the rule of `rules` with this name, or `any` for the name `any`.
+/// @throws UsageError naming the option and the rules
+template <class Rule>
+Rule rule_named(std::string_view option, std::string_view name, std::span<const Rule> rules,
+                std::optional<Rule> any = std::nullopt) {
+  std::string all;
+  for (const Rule rule : rules) {
+    if (check::name_of(rule) == name) return rule;
+    all += fmt::format("{}, ", check::name_of(rule));
+  }
+  if (any && name == "any") return *any;
+  if (any) all += "any, ";
+  all.resize(all.size() - 2);
+  throw support::UsageError(
+      fmt::format("{} {}: choose one of {}", option, support::quoted(name), all));
+}
+
+}  // namespace fixproof::cli

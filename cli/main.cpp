@@ -1,6 +1,0 @@
-#include "cli/commands.hpp"
-#include "cli/program_start.hpp"
-
-int main(int argc, char** argv) {
-  return fixproof::cli::start_program(argc, argv, fixproof::cli::add_all_commands);
-}

@@ -1,0 +1,170 @@
+/// \file
+/// Number operations over whole spans, vectorised and bit-identical to the scalar operations.
+///
+/// Not part of fixed/fixed.hpp, and not for -ffreestanding.
+///
+///     #include "fixed/batch/batch.hpp"
+///
+///     std::vector<fixproof::q16_16> a, b, quotients;                // of equal length
+///     const auto report = fixproof::batch::divide(a, b, quotients);
+///     if (!report.clean()) std::cout << report.divide_errors << " zero divisors\n";
+///
+/// **Results** are those of the number type under its policy, element by element. If elements have
+/// an error that the number type throws, the batch still completes: those elements get the result
+/// of overflow::wrap and divide_fault::none and are counted. Then the first error is thrown, with
+/// its index in the text. With `options::marks`, the batch marks these elements and does not throw.
+///
+/// **Reports** count every element that has a fault; see batch::report.
+///
+/// **Spans** are vectors, arrays, std::span and anything else with std::data and std::size. The
+/// shortest argument, marks included, sets the length of the batch; nothing beyond it is read or
+/// written. An output may be the same span as an input. Any other overlap with an input or output
+/// leaves the results, report and marks unspecified, but the batch writes nothing outside the
+/// outputs and marks. Marks must not overlap any other span, nor an output the rows of a transform.
+/// No alignment is required.
+///
+/// **Vertices** are three numbers x, y, z, and points are two. Each is a std::array of numbers or a
+/// struct that contains only them. A class with constructors must have its first as `x` or `[0]`.
+///
+/// **Formats**: all of 8 to 64 bits, under every policy. Vector registers compute signed formats of
+/// 16 and 32 bits, with the exceptions that docs/batch.md lists. All others take the plain loop.
+///
+/// **Paths**: AVX2 and AVX-512 code is always compiled in, and the processor is queried once. NEON
+/// is used if the program is compiled for it. Otherwise a plain loop runs. All paths give the same
+/// results and reports. Under -ffast-math and similar flags, where doubles are not exact, divide,
+/// sqrt and project use the plain loop. Compile all files of a program that include this header for
+/// the same processor (-m, -march), because the linker keeps only one copy of each function.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include "fixed/batch/detail/element.hpp"
+#include "fixed/batch/detail/portable.hpp"
+#include "fixed/batch/detail/report.hpp"
+#include "fixed/batch/detail/run.hpp"
+#include "fixed/batch/detail/spans.hpp"
+#include "fixed/batch/detail/targets.hpp"
+#include "fixed/batch/vertices.hpp"
+#include "fixed/detail/inlining.hpp"
+#include "fixed/detail/wide_sum.hpp"
+#include "fixed/math.hpp"
+#include "fixed/number.hpp"
+
+namespace fixproof::batch {
+
+/// out[i] = a[i] * b[i].
+template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
+          detail::output_of<detail::element_t<A>> Out>
+FIXED_ALWAYS_INLINE report
+multiply(const A& a, const B& b, Out&& out,
+         const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
+  using N = detail::element_t<A>;
+  const std::size_t count = detail::batch_length(how, a, b, out);
+  return detail::run_batch<4, detail::has_lanes<N>, N::rules.product_range()>(
+      "multiply", how, count,
+      [](auto on, auto... args) {
+        return on.template run<typename decltype(on)::template products<N>>(args...);
+      },
+      [](std::size_t i, const N* p, const N* q) { return detail::multiplied(p[i], q[i]); },
+      detail::start_of(out), detail::start_of(a), detail::start_of(b));
+}
+
+/// out[i] = mul_add(a[i], b[i], c[i]): the product and the sum, rounded once.
+template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
+          detail::input_of<detail::element_t<A>> C, detail::output_of<detail::element_t<A>> Out>
+FIXED_ALWAYS_INLINE report
+mul_add(const A& a, const B& b, const C& c, Out&& out,
+        const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
+  using N = detail::element_t<A>;
+  const std::size_t count = detail::batch_length(how, a, b, c, out);
+  return detail::run_batch<4, detail::has_mul_add_lanes<N>, N::rules.product_range()>(
+      "mul_add", how, count,
+      [](auto on, auto... args) {
+        return on.template run<typename decltype(on)::template mul_adds<N>>(args...);
+      },
+      [](std::size_t i, const N* x, const N* y, const N* z) {
+        return detail::multiplied_and_added(x[i], y[i], z[i]);
+      },
+      detail::start_of(out), detail::start_of(a), detail::start_of(b), detail::start_of(c));
+}
+
+/// out[i] = n[i] / d[i]. Counts every element for which try_divide returns nothing, even if
+/// operator/ returns a value for it.
+template <detail::number_range Numerators, detail::input_of<detail::element_t<Numerators>> Divisors,
+          detail::output_of<detail::element_t<Numerators>> Out>
+FIXED_ALWAYS_INLINE report
+divide(const Numerators& n, const Divisors& d, Out&& out,
+       const options& how = {}) noexcept(detail::element_t<Numerators>::divide_never_throws) {
+  using N = detail::element_t<Numerators>;
+  constexpr policy P = N::rules;
+  const std::size_t count = detail::batch_length(how, n, d, out);
+  return detail::run_batch<1, detail::has_quotient_lanes<N>, P.quotient_range(), P.fault>(
+      "divide", how, count,
+      [](auto on, auto... args) {
+        return on.template run<typename decltype(on)::template quotients<N>>(args...);
+      },
+      detail::quotient_element{}, detail::start_of(out), detail::start_of(n), detail::start_of(d));
+}
+
+/// out[i] = sqrt(x[i]). Counts negative operands under every policy.
+template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
+FIXED_ALWAYS_INLINE report
+sqrt(const X& x, Out&& out, const options& how = {}) noexcept(detail::element_t<X>::never_throws) {
+  using N = detail::element_t<X>;
+  const std::size_t count = detail::batch_length(how, x, out);
+  return detail::run_batch<1, detail::has_root_lanes<N>, N::rules.range>(
+      "sqrt", how, count,
+      [](auto on, auto... args) {
+        return on.template run<
+            typename decltype(on)::template roots<typename N::raw_type, N::fraction_bits>>(args...);
+      },
+      [](std::size_t i, const N* from) { return detail::rooted(from[i]); }, detail::start_of(out),
+      detail::start_of(x));
+}
+
+/// fixproof::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum
+/// can be out of range; the policy decides the result. Throws as fixproof::dot does.
+template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
+[[nodiscard]] FIXED_ALWAYS_INLINE detail::element_t<A> dot(
+    const A& a, const B& b,
+    path use = best()) noexcept(detail::element_t<A>::multiply_never_throws) {
+  using N = detail::element_t<A>;
+  if constexpr (!detail::has_lanes<N> ||
+                !detail::has_wide_sum<typename N::raw_type, N::fraction_bits>) {
+    return fixproof::dot(a, b);
+  } else {
+    const N* const x = std::data(a);
+    const N* const y = std::data(b);
+    const std::size_t count = detail::shortest(a, b);
+    std::conditional_t<detail::rounds_modulo<N>, std::uint64_t, detail::wide_sum> sum{};
+    const auto each = [=] { return fixproof::dot(std::span(x, count), std::span(y, count)); };
+    constexpr std::size_t few = detail::sure_of_masks ? 1 : 4;  // that are faster one by one
+    if (count <= few) return each();
+    // The result is 0 only if there is no loop for the path, because count is above 0.
+    const std::size_t done = detail::on_path<true>(use, [&](auto on) {
+      sum = on.template dot<decltype(sum)>(x, y, count);
+      return count;
+    });
+    if (done == 0) return detail::apart(each);
+    if constexpr (detail::rounds_modulo<N>) {
+      return detail::rounded_sum<N>(sum);
+    } else {
+      return detail::rounded_sum<N>(sum, count);
+    }
+  }
+}
+
+/// \cond
+FIXED_REFUSED_RANGES(report, multiply, "options")
+FIXED_REFUSED_RANGES(report, mul_add, "options")
+FIXED_REFUSED_RANGES(report, divide, "options")
+FIXED_REFUSED_RANGES(report, sqrt, "options")
+FIXED_REFUSED_RANGES(detail::element_t<X>, dot, "a path")
+/// \endcond
+
+}  // namespace fixproof::batch

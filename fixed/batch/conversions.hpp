@@ -1,0 +1,82 @@
+/// \file
+/// Conversions of many numbers from and to float and double, bit-identical to the conversions of
+/// one number. Not part of fixed/fixed.hpp.
+///
+///     std::vector<double> x(1000);
+///     std::vector<fixproof::q16_16> numbers(1000);
+///     fixproof::batch::from_floats(x, numbers);
+///     fixproof::batch::to_floats(numbers, x);
+///
+/// Spans, paths, marks and reports are those of fixed/batch/batch.hpp. Unlike there, no two spans
+/// may overlap.
+#pragma once
+
+#include <array>  // std::data, std::size
+#include <cstddef>
+
+#include "fixed/batch/batch.hpp"
+#include "fixed/batch/detail/element.hpp"
+#include "fixed/batch/detail/spans.hpp"
+#include "fixed/batch/detail/targets.hpp"
+#include "fixed/detail/floating.hpp"
+#include "fixed/detail/inlining.hpp"
+#include "fixed/math.hpp"
+
+namespace fixproof::detail {
+
+/// A range of float or double.
+template <class Range>
+concept float_range = sized<Range> && binary_float<element_t<Range>>;
+
+/// A range of float or double that can be written.
+template <class Range>
+concept float_output = float_range<Range> && written<Range, element_t<Range>>;
+
+}  // namespace fixproof::detail
+
+namespace fixproof::batch {
+
+/// out[i] = N(x[i]), for float or double. Under every policy, NaN counts as a domain error. Under
+/// overflow::saturate and overflow::trap, infinities and other values out of range count as
+/// overflows.
+template <detail::float_range X, detail::number_range Out>
+requires detail::output_of<Out, detail::element_t<Out>> FIXED_ALWAYS_INLINE report
+from_floats(const X& x, Out&& out, const options& how = {})
+noexcept(detail::element_t<Out>::never_throws) {
+  using N = detail::element_t<Out>;
+  using Float = detail::element_t<X>;
+  const std::size_t count = detail::batch_length(how, x, out);
+  return detail::run_batch<1, detail::has_float_lanes<N>, N::rules.range>(
+      "from_floats", how, count,
+      [](auto on, auto... args) {
+        return on.template run<typename decltype(on)::template from_floats<N, Float>>(args...);
+      },
+      [](std::size_t i, const Float* from) { return detail::from_float<N>(from[i]); },
+      detail::start_of(out), detail::start_of(x));
+}
+
+/// out[i] = the float or double nearest to x[i], with ties to even, in every rounding mode of the
+/// processor.
+template <detail::number_range X, detail::float_output Out>
+FIXED_ALWAYS_INLINE void to_floats(const X& x, Out&& out, path use = best()) noexcept {
+  using N = detail::element_t<X>;
+  using Float = detail::element_t<Out>;
+  (void)detail::run_batch<2, detail::has_float_lanes<N>, overflow::wrap>(
+      "to_floats", {.use = use}, detail::shortest(x, out),
+      [](auto on, auto... args) {
+        return on.template run<typename decltype(on)::template to_floats<N, Float>>(args...);
+      },
+      [](std::size_t i, const N* from) {
+        return detail::outcome<Float>{static_cast<Float>(from[i])};
+      },
+      detail::start_of(out), detail::start_of(x));
+}
+
+/// \cond
+FIXED_REFUSED_BATCH(report, from_floats,
+                    "from_floats reads floats or doubles and writes numbers; options may follow")
+FIXED_REFUSED_BATCH(void, to_floats,
+                    "to_floats reads numbers and writes floats or doubles; a path may follow")
+/// \endcond
+
+}  // namespace fixproof::batch

@@ -1,0 +1,161 @@
+/// \file
+/// The loops of fixed/batch/batch.hpp and fixed/batch/radian.hpp over whole blocks; see
+/// fixed/batch/detail/lanes.hpp.
+///
+/// Each loop except that of dot returns the number of elements done, and leaves the rest to the
+/// caller.
+
+#if defined(FIXED_LANES)
+// Loops of many blocks are never inlined, so that their callers are small and therefore fast for
+// short spans.
+#define FIXED_LANE_LOOP FIXED_LANE_TARGET __attribute__((noinline))
+
+namespace fixproof::detail::FIXED_LANES {
+
+/// The loops as a type, which on_path() passes to its callable.
+struct loops {
+  /// Computes the elements from `done` on, up to a block that may have a fault.
+  /// \return the number of elements done, with those that were done before
+  template <class Operation, class... Places>
+  FIXED_LANE_LOOP static std::size_t run(std::size_t done, std::size_t count, Places... places) {
+    return each_block(Operation{places...}, done, count);
+  }
+  /// The same for spans of at most `width` elements, without a call. Does nothing for longer spans,
+  /// or if the flags do not promise AVX-512.
+  template <class Operation, class... Places>
+  FIXED_ALWAYS_INLINE static std::size_t run(few_blocks, std::size_t count, Places... places) {
+    if constexpr (has_masks && FIXED_SURE_OF_AVX512) {
+      constexpr std::size_t size = Operation::size;
+      const Operation operation{places...};
+      if (count <= size) return clean_block(operation, 0, first_elements(count)) ? count : 0;
+      if (count <= width && clean_block(operation, 0, whole_block{})) {
+        return clean_block(operation, size, first_elements(count - size)) ? count : size;
+      }
+    }
+    return 0;
+  }
+  /// Computes the elements from how.done on, and records their faults. Computes none for operations
+  /// without faults, because the loop above has done all that it can.
+  /// \return as run() above
+  template <class Operation, class... Places>
+  FIXED_LANE_LOOP static std::size_t run(const recording& how, std::size_t count,
+                                         Places... places) {
+    if constexpr (std::is_same_v<typename Operation::check, no_faults>) {
+      return how.done;
+    } else {
+      return noted_blocks(Operation{places...}, how.done, count, how.found);
+    }
+  }
+
+  // Operations for run().
+  template <class N>
+  using products = product_blocks<N, false>;
+  template <class N>
+  using mul_adds = product_blocks<N, true>;
+  template <class N>
+  using quotients = quotient_blocks<N>;
+  template <class Raw, int F>
+  using roots = root_blocks<Raw, F>;
+  template <class N, class Float>
+  using from_floats = from_float_blocks<N, Float>;
+  template <class N, class Float>
+  using to_floats =
+      std::conditional_t<std::is_same_v<Float, double>, to_double_blocks<N>, to_float_blocks<N>>;
+
+  /// Returns the sum of the products, modulo 2^64 or exactly.
+  template <class Sum, class N>
+  FIXED_ALWAYS_INLINE static Sum dot(const N* a, const N* b, std::size_t count) {
+    if constexpr (has_masks && FIXED_SURE_OF_AVX512) {
+      if (count <= width) {
+        const first_elements some(count);
+        dot_sums<Sum> sums;
+        sums.add(load<N>(a, 0, some), load<N>(b, 0, some));
+        Sum sum{};
+        sums.add_to(sum);
+        return sum;
+      }
+    }
+    return long_dot<Sum>(a, b, count);
+  }
+  template <class Sum, class N>
+  FIXED_LANE_LOOP static Sum long_dot(const N* a, const N* b, std::size_t count) {
+    constexpr bool is_exact = std::is_same_v<Sum, wide_sum>;
+    // dot_sums<wide_sum> holds 2^30 products.
+    constexpr std::size_t most = is_exact ? std::size_t{1} << 30 : ~std::size_t{0};
+    Sum sum{};
+    std::size_t i = 0;
+    while (count - i >= (has_masks ? 1 : width)) {
+      // Two blocks at a time have four sums, so that no addition waits for the one before it.
+      dot_sums<Sum> first;
+      dot_sums<Sum> second;
+      const std::size_t end = i + (std::min)(count - i, most);
+      for (; end - i >= 2 * width; i += 2 * width) {
+        first.add(load<N>(a, i), load<N>(b, i));
+        second.add(load<N>(a, i + width), load<N>(b, i + width));
+      }
+      if (end - i >= width) {
+        first.add(load<N>(a, i), load<N>(b, i));
+        i += width;
+      }
+      if constexpr (has_masks) {
+        if (i < end) {
+          const first_elements rest(end - i);
+          second.add(load<N>(a, i, rest), load<N>(b, i, rest));
+          i = end;
+        }
+      }
+      first.add(second);
+      first.add_to(sum);
+    }
+    for (; i < count; ++i) {
+      const std::int64_t product = std::int64_t{a[i].raw()} * b[i].raw();
+      if constexpr (is_exact) {
+        sum.add(product);
+      } else {
+        sum += static_cast<std::uint64_t>(product);
+      }
+    }
+    return sum;
+  }
+
+  /// Does nothing if the lanes are too narrow for sums. References to pointers spare copies of
+  /// pointers that were stored one by one, which would wait for those stores.
+  template <template <class> class Transform, class N, class From, class To>
+  FIXED_LANE_LOOP static std::size_t transform(const transform_rows<N>& rows, const From& from,
+                                               const To& to, std::size_t count,
+                                               fault_recorder& found) {
+    if (!Transform<N>::sums_fit_lanes(rows)) return 0;
+    return transform_blocks<Transform>(rows, from, to, count, found);
+  }
+
+  template <class N, class From, class To>
+  FIXED_LANE_LOOP static std::size_t project(N constant, const From& from, const To& to,
+                                             std::size_t count, fault_recorder& found) {
+    std::size_t i = 0;
+    for (; count - i >= width; i += width) {
+      i32 x;
+      i32 y;
+      project_block<N>(load_vertices<N>(from, i, whole_block{}), i32{} + constant.raw(), x, y, i,
+                       found);
+      store_points<N>(to, i, x, y);
+    }
+    return i;
+  }
+
+  /// The vector form of detail::nearest_sine().
+  template <class Raw, int F>
+  FIXED_LANE_LOOP static std::size_t sines(const void* angles, void* results, std::size_t count,
+                                           std::uint64_t ahead) {
+    return each_block(sine_blocks<Raw, F>{angles, results, ahead}, 0, count);
+  }
+
+  /// The same for cosines and sines.
+  template <class Raw, int F>
+  FIXED_LANE_LOOP static std::size_t sines_and_cosines(const void* angles, void* cosines,
+                                                       void* sines, std::size_t count) {
+    return each_block(sine_cosine_blocks<Raw, F>{angles, cosines, sines}, 0, count);
+  }
+};
+
+}  // namespace fixproof::detail::FIXED_LANES
+#endif

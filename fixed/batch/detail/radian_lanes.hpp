@@ -1,0 +1,128 @@
+/// \file
+/// The vector form of detail::nearest_sine(); see fixed/batch/detail/lanes.hpp.
+///
+/// The even and the odd lanes of a block are computed in separate registers of 64-bit lanes.
+
+#if defined(FIXED_LANES)
+namespace fixproof::detail::FIXED_LANES {
+
+/// The `turns` of detail::nearest_sine().
+struct turn_lanes {
+  u64 even, odd;
+};
+
+/// Returns the turns of the angles in the lower halves, which are in units of 2^-16 radians.
+FIXED_LANE_FUNCTION u64 turns_of_even(i64 angle, std::uint64_t ahead) {
+  constexpr auto lower_word = static_cast<std::int64_t>(turns_per_unit & 0xffffffff);
+  constexpr auto upper_word = static_cast<std::int64_t>(turns_per_unit >> 32);
+  const u64 lower = u64(mul_even(angle, i64{} + lower_word));
+  const u64 upper = unknown(u64(mul_even(angle, i64{} + upper_word)));
+  return lower + (upper << 32) + turns_bias + ahead;
+}
+
+template <int F>
+FIXED_LANE_FUNCTION turn_lanes turns_of(i32 raw, std::uint64_t ahead) {
+  const i32 angle = raw << (16 - F);
+  return {turns_of_even(i64(angle), ahead), turns_of_even(odd_lanes(angle), ahead)};
+}
+
+/// The vector form of detail::fast_cosine().
+FIXED_LANE_FUNCTION u64 fast_cosine_of(u64 d) {
+  const auto& c = fast_coefficients;
+  const u64 z = unknown(u64(mul_even(i64(d), i64(d))) >> 31);
+  u64 factor = c[4] - (mul_even(z, u64{} + c[5]) >> 31);
+  factor = c[3] - (mul_even(z, factor) >> 31);
+  factor = c[2] - (mul_even(z, factor) >> 31);
+  factor = c[1] - (mul_even(z, factor) >> 32);
+  return c[0] - mul_even(z, factor);
+}
+
+/// Returns the sines of a block. Sets the bits of `doubtful` for lanes that may be wrong.
+template <int F>
+FIXED_LANE_FUNCTION i32 sines_of(const turn_lanes& turns, std::uint32_t& doubtful) {
+  using rounding = fast_rounding<F>;
+  const i32 sign = interleaved(turns.even >> 32, turns.odd) >> 31;
+  const u64 even = fast_cosine_of((turns.even - quarter_turn) >> 31) + rounding::bias;
+  const u64 odd = fast_cosine_of((turns.odd - quarter_turn) >> 31) + rounding::bias;
+  // The bits of fast_rounding::doubtful, shifted into the lower 32.
+  constexpr int unneeded = 34;
+  constexpr auto mask = static_cast<std::int32_t>(rounding::doubtful >> unneeded);
+  doubtful |= zero_bits(interleaved(even >> unneeded, odd >> (unneeded - 32)) & mask);
+  const i32 magnitude = interleaved(even >> rounding::dropped, odd >> (rounding::dropped - 32));
+  return (magnitude ^ sign) - sign;
+}
+
+/// detail::nearest_sine(), lane by lane.
+template <int F>
+FIXED_LANE_TARGET __attribute__((noinline)) i32 nearest_sines(i32 raw, std::uint64_t ahead) {
+  for (std::size_t i = 0; i < width; ++i) {
+    raw[i] = nearest_sine<F>(raw[i], ahead);
+  }
+  return raw;
+}
+
+template <class Raw, int F>
+struct sine_blocks : no_faults {
+  using number = Raw;
+  static constexpr std::size_t size = width;
+  static constexpr bool in_groups = false;
+  const void* angles;
+  void* out;
+  std::uint64_t ahead;
+
+  FIXED_LANE_FUNCTION sine_blocks(const void* from, void* to, std::uint64_t turns)
+      : angles(from), out(to), ahead(turns) {}
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, Part part, no_faults& /*seen*/) const {
+    const i32 raw = load<Raw>(angles, i, part);
+    std::uint32_t doubtful = 0;
+    i32 values = sines_of<F>(turns_of<F>(raw, ahead), doubtful);
+    if ((doubtful & part.bits) != 0) [[unlikely]] {
+      values = nearest_sines<F>(raw, ahead);
+    }
+    return values;
+  }
+};
+
+/// Cosines and sines, or where they go.
+template <class T>
+struct cosines_and_sines {
+  T cosines;
+  T sines;
+};
+
+template <class Raw, class Part>
+FIXED_LANE_FUNCTION void store(const cosines_and_sines<void*>& out, std::size_t i,
+                               const cosines_and_sines<i32>& x, Part part) {
+  store<Raw>(out.sines, i, x.sines, part);
+  store<Raw>(out.cosines, i, x.cosines, part);
+}
+
+template <class Raw, int F>
+struct sine_cosine_blocks : no_faults {
+  using number = Raw;
+  static constexpr std::size_t size = width;
+  static constexpr bool in_groups = false;
+  const void* angles;
+  cosines_and_sines<void*> out;
+
+  FIXED_LANE_FUNCTION sine_cosine_blocks(const void* from, void* cosines, void* sines)
+      : angles(from), out{cosines, sines} {}
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION cosines_and_sines<i32> at(std::size_t i, Part part,
+                                                              no_faults& /*seen*/) const {
+    const i32 raw = load<Raw>(angles, i, part);
+    const turn_lanes turns = turns_of<F>(raw, 0);
+    std::uint32_t doubtful = 0;
+    i32 sines = sines_of<F>(turns, doubtful);
+    i32 cosines = sines_of<F>({turns.even + quarter_turn, turns.odd + quarter_turn}, doubtful);
+    if ((doubtful & part.bits) != 0) [[unlikely]] {
+      sines = nearest_sines<F>(raw, 0);
+      cosines = nearest_sines<F>(raw, quarter_turn);
+    }
+    return {cosines, sines};
+  }
+};
+
+}  // namespace fixproof::detail::FIXED_LANES
+#endif

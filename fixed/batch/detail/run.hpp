@@ -1,0 +1,126 @@
+/// \file
+/// The options of a batch, and how it runs.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "fixed/batch/detail/element.hpp"
+#include "fixed/batch/detail/portable.hpp"
+#include "fixed/batch/detail/report.hpp"
+#include "fixed/batch/detail/spans.hpp"
+#include "fixed/batch/detail/targets.hpp"
+#include "fixed/detail/inlining.hpp"
+#include "fixed/policy.hpp"
+
+namespace fixproof::batch {
+
+/// Options of a batch operation.
+struct options {
+  /// The path to use; path::portable replaces one that the processor lacks.
+  path use = best();
+  /// If not empty, entry i is set to whether element i has a fault, and nothing is thrown.
+  std::span<bool> marks = {};
+};
+
+}  // namespace fixproof::batch
+
+namespace fixproof::detail {
+
+template <class... Ranges>
+FIXED_ALWAYS_INLINE std::size_t batch_length(const batch::options& how,
+                                             const Ranges&... ranges) noexcept {
+  const std::size_t count = shortest(ranges...);
+  return how.marks.empty() ? count : (std::min)(count, how.marks.size());
+}
+
+/// Computes elements and records their faults. Calls `blocks` on the path of `how`, then `rest`.
+/// \tparam few      up to this many elements are faster without that path
+/// \tparam has      whether the loops cover the operation
+/// \tparam O        the overflow rule of the operation
+/// \tparam Fault    the divide errors of the operation
+/// \param done      the number of elements that are done already
+/// \param blocks    (loops, const recording&) -> number of elements done
+/// \param rest      (number of elements done, fault_recorder&), computes the others
+/// \param operation the name in the text of an error
+template <std::size_t few, bool has, overflow O, divide_fault Fault, class Blocks, class Rest>
+FIXED_ALWAYS_INLINE batch::report run_recorded(const char* operation, const batch::options& how,
+                                               std::size_t done, std::size_t count,
+                                               const Blocks& blocks, const Rest& rest) {
+  fault_recorder found(how.marks.empty() ? how.marks : how.marks.first(count));
+  if (count - done > few) {
+    const recording from{done, found};
+    done = (std::max)(done, on_path<has>(how.use, [&](auto on) { return blocks(on, from); }));
+  }
+  if (done < count) rest(done, found);
+  return found.template finish<O, Fault>(operation);
+}
+
+/// Calls a lambda, and is never inlined. A local variable that the lambda captures by reference is
+/// kept in memory even where the caller does not get here, so the lambda should capture copies.
+template <class Call>
+FIXED_NOINLINE auto apart(const Call& call) {
+  return call();
+}
+
+/// Clears the marks, and returns the report of a batch without faults.
+FIXED_ALWAYS_INLINE batch::report clean_report(const batch::options& how, std::size_t count) {
+  if (!how.marks.empty()) std::fill_n(how.marks.begin(), count, false);
+  return {};
+}
+
+/// Keeps a copy in memory, from where compilers load it after a call. Otherwise they keep it in a
+/// register that the function saves when it starts, even if it makes no call.
+template <class T>
+FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] T& copy) noexcept {
+#if defined(__GNUC__)
+  asm("" : "+m"(copy));
+#endif
+}
+
+/// Runs a batch of elements that seldom have faults.
+/// \tparam few      up to this many elements are faster one by one, or up to few / 4 if the first
+///                  blocks need no call
+/// \param blocks    (loops, start, count, to, from...) -> number of elements done. The start is
+///                  few_blocks, the index of an element, or a recording. Without a recording, stops
+///                  at a fault.
+/// \param element   as for each_element()
+template <std::size_t few, bool has, overflow O, divide_fault Fault = divide_fault::none,
+          class Blocks, class Element, class T, class... From>
+FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
+                                            std::size_t count, Blocks blocks, Element element,
+                                            T* to, const From*... from) {
+  // First blocks without a call are faster than the plain loop from few / 4 + 1 elements on.
+  constexpr bool blocks_first = has && sure_of_masks;
+  std::size_t done = 0;
+  if (count <= (blocks_first ? few / 4 : few)) {
+    for (; done < count; ++done) {
+      const auto one = element(done, from...);
+      if (one.what != fault::none) break;
+      to[done] = stored<T>(one.raw);
+    }
+  } else if constexpr (blocks_first) {
+    done = on_path<has>(how.use,
+                        [&](auto on) { return blocks(on, few_blocks{}, count, to, from...); });
+  }
+  if (done == count) return clean_report(how, count);
+  // The code after a call uses copies. Only the way to the call stores them in memory.
+  const auto others = [&](std::size_t end, auto... kept) FIXED_INLINE {
+    (keep_in_memory(end), ..., keep_in_memory(kept));
+    done = (std::max)(
+        done, on_path<has>(how.use, [&](auto on) { return blocks(on, done, count, to, from...); }));
+    if (done == end) return clean_report(how, end);
+    return apart([=] {
+      return run_recorded<0, has, O, Fault>(
+          operation, how, done, end,
+          [=](auto on, const recording& start) { return blocks(on, start, end, kept...); },
+          [=](std::size_t i, fault_recorder& found) {
+            each_element(i, end, found, element, kept...);
+          });
+    });
+  };
+  return others(count, to, from...);
+}
+
+}  // namespace fixproof::detail

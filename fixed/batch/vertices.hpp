@@ -1,0 +1,174 @@
+/// \file
+/// Transforms and projections of vertices: a part of fixed/batch/batch.hpp, which documents them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "fixed/batch/detail/element.hpp"
+#include "fixed/batch/detail/report.hpp"
+#include "fixed/batch/detail/run.hpp"
+#include "fixed/batch/detail/spans.hpp"
+#include "fixed/batch/detail/targets.hpp"
+#include "fixed/batch/detail/transforms.hpp"
+#include "fixed/detail/inlining.hpp"
+#include "fixed/number.hpp"
+
+namespace fixproof::detail {
+
+/// Computes vertices or points one by one.
+/// \param element (index) -> outcome
+template <class N, std::size_t size, class To, class Element>
+FIXED_ALWAYS_INLINE void each_tuple(std::size_t i, std::size_t count, fault_recorder& found,
+                                    const To& to, const Element& element) noexcept {
+  for (; i < count; ++i) {
+    const auto one = element(i);
+    store_tuple<N, size>(to, i, one.raw);
+    found.note(one.what, i);
+  }
+}
+
+/// Transforms vertices in one array, a pointer, or in three, an array of pointers.
+/// \tparam Transform rounded_products or rounded_sums
+template <template <class> class Transform, class N, class From, class To>
+FIXED_ALWAYS_INLINE batch::report transform_all(
+    const transform_rows<N>& rows, const From& from, const To& to, std::size_t count,
+    const batch::options& how) noexcept(Transform<N>::never_throws) {
+  return run_recorded<1, has_lanes<N>, Transform<N>::range, divide_fault::none>(
+      Transform<N>::name, how, 0, count,
+      [&](auto on, const recording& start) {
+        return on.template transform<Transform>(rows, from, to, count, start.found);
+      },
+      [&](std::size_t done, fault_recorder& found) {
+        const auto rest = [&, done, count] {
+          each_tuple<N, 3>(done, count, found, to, [&, by = Transform<N>{rows}](std::size_t i) {
+            return transformed(by, load_tuple<N, 3>(from, i));
+          });
+        };
+        // One vertex is faster without a call.
+        if (count == 1) {
+          rest();
+        } else {
+          apart(rest);
+        }
+      });
+}
+
+template <class N>
+inline constexpr bool project_never_throws = N::divide_never_throws&& N::multiply_never_throws;
+
+/// Projects vertices, as transform_all() transforms them.
+template <class N, class From, class To>
+FIXED_ALWAYS_INLINE batch::report project_all(
+    const From& from, N constant, const To& to, std::size_t count,
+    const batch::options& how) noexcept(project_never_throws<N>) {
+  constexpr policy P = N::rules;
+  static_assert((P.quotient_range() == overflow::trap) == (P.product_range() == overflow::trap),
+                "fixproof::batch::project throws for quotients and products alike: give both "
+                "overflow::trap, or neither, in policy::quotients and policy::products");
+  return run_recorded<0, has_quotient_lanes<N>, P.quotient_range(), P.fault>(
+      "project", how, 0, count,
+      [&](auto on, const recording& start) {
+        return on.project(constant, from, to, count, start.found);
+      },
+      [&](std::size_t done, fault_recorder& found) {
+        each_tuple<N, 2>(done, count, found, to, [&](std::size_t i) {
+          return projected_point(constant, load_tuple<N, 3>(from, i));
+        });
+      });
+}
+
+}  // namespace fixproof::detail
+
+/// What the refusal of a transform says.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): an attribute needs a literal
+#define FIXED_TRANSFORM_TAKES                                                                   \
+  "rows are std::array<std::array<N, 4>, 3>, and a vertex has 3 numbers N; results come last, " \
+  "neither const nor temporary; options may follow"
+
+namespace fixproof::batch {
+
+/// out[i] = in[i] transformed: each product is rounded, then row[0] x + row[1] y + row[2] z +
+/// row[3] is summed from the left, as XformVec does. On AVX2 and AVX-512, eight megabytes or more
+/// of 32-bit results bypass the caches.
+template <class N, detail::tuples_of<N, 3> In, detail::output_tuples_of<N, 3> Out>
+FIXED_ALWAYS_INLINE report
+transform(const detail::transform_rows<N>& rows, const In& in, Out&& out,
+          const options& how = {}) noexcept(detail::rounded_products<N>::never_throws) {
+  return detail::transform_all<detail::rounded_products>(
+      rows, static_cast<const void*>(std::data(in)), static_cast<void*>(std::data(out)),
+      detail::batch_length(how, in, out), how);
+}
+
+/// The same, with each coordinate in its own span.
+template <class N, detail::input_of<N> X, detail::input_of<N> Y, detail::input_of<N> Z,
+          detail::output_of<N> ToX, detail::output_of<N> ToY, detail::output_of<N> ToZ>
+FIXED_ALWAYS_INLINE report
+transform(const detail::transform_rows<N>& rows, const X& x, const Y& y, const Z& z, ToX&& to_x,
+          ToY&& to_y, ToZ&& to_z,
+          const options& how = {}) noexcept(detail::rounded_products<N>::never_throws) {
+  return detail::transform_all<detail::rounded_products>(
+      rows, std::array<const N*, 3>{std::data(x), std::data(y), std::data(z)},
+      std::array<N*, 3>{std::data(to_x), std::data(to_y), std::data(to_z)},
+      detail::batch_length(how, x, y, z, to_x, to_y, to_z), how);
+}
+
+/// out[i] = in[i] transformed: each row[0] x + row[1] y + row[2] z + row[3] is exact until it is
+/// rounded once, as by fixproof::accumulator. Only that result can be out of range; the policy
+/// handles it as for products. More exact than transform() and faster, but not what XformVec does.
+/// Large results bypass the caches, as there.
+template <class N, detail::tuples_of<N, 3> In, detail::output_tuples_of<N, 3> Out>
+FIXED_ALWAYS_INLINE report
+fused_transform(const detail::transform_rows<N>& rows, const In& in, Out&& out,
+                const options& how = {}) noexcept(detail::rounded_sums<N>::never_throws) {
+  return detail::transform_all<detail::rounded_sums>(rows, static_cast<const void*>(std::data(in)),
+                                                     static_cast<void*>(std::data(out)),
+                                                     detail::batch_length(how, in, out), how);
+}
+
+/// The same, with each coordinate in its own span.
+template <class N, detail::input_of<N> X, detail::input_of<N> Y, detail::input_of<N> Z,
+          detail::output_of<N> ToX, detail::output_of<N> ToY, detail::output_of<N> ToZ>
+FIXED_ALWAYS_INLINE report
+fused_transform(const detail::transform_rows<N>& rows, const X& x, const Y& y, const Z& z,
+                ToX&& to_x, ToY&& to_y, ToZ&& to_z,
+                const options& how = {}) noexcept(detail::rounded_sums<N>::never_throws) {
+  return detail::transform_all<detail::rounded_sums>(
+      rows, std::array<const N*, 3>{std::data(x), std::data(y), std::data(z)},
+      std::array<N*, 3>{std::data(to_x), std::data(to_y), std::data(to_z)},
+      detail::batch_length(how, x, y, z, to_x, to_y, to_z), how);
+}
+
+/// out[i] = the point x / z * constant, y / z * constant of the vertex in[i]. The policy rounds
+/// both the quotient and the product. An element has a divide error if either quotient has one.
+template <class N, detail::tuples_of<N, 3> In, detail::output_tuples_of<N, 2> Out>
+FIXED_ALWAYS_INLINE report
+project(const In& in, N constant, Out&& out,
+        const options& how = {}) noexcept(detail::project_never_throws<N>) {
+  return detail::project_all(static_cast<const void*>(std::data(in)), constant,
+                             static_cast<void*>(std::data(out)), detail::batch_length(how, in, out),
+                             how);
+}
+
+/// The same, with each coordinate in its own span.
+template <class N, detail::input_of<N> X, detail::input_of<N> Y, detail::input_of<N> Z,
+          detail::output_of<N> ToX, detail::output_of<N> ToY>
+FIXED_ALWAYS_INLINE report
+project(const X& x, const Y& y, const Z& z, N constant, ToX&& to_x, ToY&& to_y,
+        const options& how = {}) noexcept(detail::project_never_throws<N>) {
+  return detail::project_all(std::array<const N*, 3>{std::data(x), std::data(y), std::data(z)},
+                             constant, std::array<N*, 2>{std::data(to_x), std::data(to_y)},
+                             detail::batch_length(how, x, y, z, to_x, to_y), how);
+}
+
+/// \cond
+template <detail::sized Rows, detail::sized X, class... T>
+report transform(const Rows&, const X&, const T&...) FIXED_INSTEAD(FIXED_TRANSFORM_TAKES);
+template <detail::sized Rows, detail::sized X, class... T>
+report fused_transform(const Rows&, const X&, const T&...) FIXED_INSTEAD(FIXED_TRANSFORM_TAKES);
+FIXED_REFUSED_BATCH(report, project,
+                    "a vertex has 3 numbers N, a point has 2, and the constant is an N; points "
+                    "come last, neither const nor temporary; options may follow")
+/// \endcond
+
+}  // namespace fixproof::batch

@@ -1,0 +1,176 @@
+/// \file
+/// Recorded forms of the operations with overflow as a value, between formats, and with exact
+/// intermediate results.
+#pragma once
+
+#include <concepts>
+#include <optional>
+#include <type_traits>
+
+#include "fixed/checked.hpp"
+#include "fixed/mixed.hpp"
+#include "fixed/record/functions.hpp"
+#include "fixed/record/number.hpp"
+#include "fixed/wide.hpp"
+
+namespace fixproof {
+
+namespace record::detail {
+
+/// Returns the plain number of a plain or a recorded number.
+template <class N>
+constexpr N plain(N x) noexcept {
+  return x;
+}
+template <class N>
+constexpr N plain(recorded_number<N> x) noexcept {
+  return x.value_;
+}
+template <class T>
+struct plain_type_of {
+  using type = T;
+};
+template <class N>
+struct plain_type_of<recorded_number<N>> {
+  using type = N;
+};
+
+/// Returns the result of an operation with recorded numbers in place of plain ones.
+template <class N>
+constexpr std::optional<recorded_number<N>> as_recorded(const std::optional<N>& x) noexcept {
+  return x ? std::optional<recorded_number<N>>(*x) : std::nullopt;
+}
+template <class N>
+constexpr overflowing<recorded_number<N>> as_recorded(const overflowing<N>& x) noexcept {
+  return {x.value, x.overflow};
+}
+template <class N>
+constexpr recorded_number<N> as_recorded(N x) noexcept {
+  return x;
+}
+
+}  // namespace record::detail
+
+/// \cond
+// NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): defines functions
+#define FIXPROOF_RECORDED(name, parameters, plain_parameters, ...)                              \
+  template <class N>                                                                            \
+  [[nodiscard]] constexpr auto name parameters noexcept {                                       \
+    return record::detail::as_recorded(record::detail::logged<record::kind::name, N>(           \
+        from, [] plain_parameters { return fixproof::name FIXPROOF_ARGUMENTS; }, __VA_ARGS__)); \
+  }
+#define FIXPROOF_RECORDED_FORMS(operation, parameters, plain_parameters, ...)           \
+  FIXPROOF_RECORDED(checked_##operation, parameters, plain_parameters, __VA_ARGS__)     \
+  FIXPROOF_RECORDED(overflowing_##operation, parameters, plain_parameters, __VA_ARGS__) \
+  FIXPROOF_RECORDED(saturating_##operation, parameters, plain_parameters, __VA_ARGS__)  \
+  FIXPROOF_RECORDED(wrapping_##operation, parameters, plain_parameters, __VA_ARGS__)
+#define FIXPROOF_ONE (recorded_number<N> a, record::place from = FIXPROOF_HERE)
+#define FIXPROOF_TWO \
+  (recorded_number<N> a, recorded_number<N> b, record::place from = FIXPROOF_HERE)
+
+#define FIXPROOF_ARGUMENTS (x, y)
+FIXPROOF_RECORDED_FORMS(add, FIXPROOF_TWO, (N x, N y), a.value_, b.value_)
+FIXPROOF_RECORDED_FORMS(subtract, FIXPROOF_TWO, (N x, N y), a.value_, b.value_)
+FIXPROOF_RECORDED_FORMS(multiply, FIXPROOF_TWO, (N x, N y), a.value_, b.value_)
+FIXPROOF_RECORDED_FORMS(divide, FIXPROOF_TWO, (N x, N y), a.value_, b.value_)
+FIXPROOF_RECORDED(checked_remainder, FIXPROOF_TWO, (N x, N y), a.value_, b.value_)
+FIXPROOF_RECORDED_FORMS(shift_left,
+                        (recorded_number<N> a, int places, record::place from = FIXPROOF_HERE),
+                        (N x, int y), a.value_, places)
+#undef FIXPROOF_ARGUMENTS
+#define FIXPROOF_ARGUMENTS (x)
+FIXPROOF_RECORDED_FORMS(negate, FIXPROOF_ONE, (N x), a.value_)
+FIXPROOF_RECORDED_FORMS(abs, FIXPROOF_ONE, (N x), a.value_)
+FIXPROOF_RECORDED(checked_sqrt, FIXPROOF_ONE, (N x), a.value_)
+#undef FIXPROOF_ARGUMENTS
+#define FIXPROOF_ARGUMENTS (x, y, z)
+FIXPROOF_RECORDED_FORMS(mul_add,
+                        (recorded_number<N> a, recorded_number<N> b, recorded_number<N> c,
+                         record::place from = FIXPROOF_HERE),
+                        (N x, N y, N z), a.value_, b.value_, c.value_)
+#undef FIXPROOF_ARGUMENTS
+#undef FIXPROOF_ONE
+#undef FIXPROOF_TWO
+#undef FIXPROOF_RECORDED_FORMS
+#undef FIXPROOF_RECORDED
+
+#define FIXPROOF_RECORDED_MIXED(name, kind_name)                                                \
+  template <class To, any_number A, any_number B>                                               \
+  requires(record::detail::is_recorded<A> || record::detail::is_recorded<B>)                    \
+      [[nodiscard]] constexpr To                                                                \
+      name(A a, B b, record::place from = FIXPROOF_HERE) noexcept(                              \
+          noexcept(fixproof::name<typename record::detail::plain_type_of<To>::type>(            \
+              record::detail::plain(A()), record::detail::plain(B())))) {                       \
+    using N = typename record::detail::plain_type_of<To>::type;                                 \
+    return record::detail::logged<record::kind::kind_name, N>(                                  \
+        from, [](auto x, auto y) { return fixproof::name<N>(x, y); }, record::detail::plain(a), \
+        record::detail::plain(b));                                                              \
+  }
+FIXPROOF_RECORDED_MIXED(add, add_to)
+FIXPROOF_RECORDED_MIXED(subtract, subtract_to)
+FIXPROOF_RECORDED_MIXED(multiply, multiply_to)
+FIXPROOF_RECORDED_MIXED(divide, divide_to)
+#undef FIXPROOF_RECORDED_MIXED
+// NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
+/// \endcond
+
+/// As ratio() of plain numbers.
+template <class R, detail::integer Int>
+requires record::detail::is_recorded<R>
+[[nodiscard]] constexpr R ratio(Int n, Int d) noexcept(R::divide_never_throws) {
+  using N = typename R::plain_type;
+  return record::detail::logged<record::kind::ratio, N>(
+      record::nowhere, [](Int x, Int y) { return fixproof::ratio<N>(x, y); }, n, d);
+}
+
+/// The accumulator of recorded numbers. It records every term and the result.
+template <class N>
+class accumulator<recorded_number<N>> {
+  using recorded = recorded_number<N>;
+
+ public:
+  /// Zero.
+  constexpr accumulator() noexcept = default;
+
+  /// \name As in the accumulator of plain numbers
+  /// \{
+
+  /// Adds or subtracts a number or a product.
+  constexpr accumulator& add(recorded x, record::place from = FIXPROOF_HERE) noexcept {
+    sum_.add(x.value_);
+    return noted<record::kind::accumulator_add>(from, x.value_);
+  }
+  constexpr accumulator& subtract(recorded x, record::place from = FIXPROOF_HERE) noexcept {
+    sum_.subtract(x.value_);
+    return noted<record::kind::accumulator_subtract>(from, x.value_);
+  }
+  constexpr accumulator& add_product(recorded a, recorded b,
+                                     record::place from = FIXPROOF_HERE) noexcept {
+    sum_.add_product(a.value_, b.value_);
+    return noted<record::kind::accumulator_add_product>(from, a.value_, b.value_);
+  }
+  constexpr accumulator& subtract_product(recorded a, recorded b,
+                                          record::place from = FIXPROOF_HERE) noexcept {
+    sum_.subtract_product(a.value_, b.value_);
+    return noted<record::kind::accumulator_subtract_product>(from, a.value_, b.value_);
+  }
+  /// \}
+
+  /// The sum, rounded once.
+  [[nodiscard]] constexpr recorded result(record::place from = FIXPROOF_HERE) const
+      noexcept(N::multiply_never_throws) {
+    return record::detail::logged<record::kind::accumulator_result, N>(
+        from, [this] { return sum_.result(); });
+  }
+
+ private:
+  template <record::kind K, class... Operands>
+  constexpr accumulator& noted(record::place from, Operands... operands) noexcept {
+    if (!std::is_constant_evaluated()) record::detail::note_term<K, N>(from, operands...);
+    return *this;
+  }
+
+  accumulator<N> sum_;
+};
+
+}  // namespace fixproof

@@ -1,0 +1,274 @@
+/// \file
+/// The functions of plain numbers for recorded numbers.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "fixed/angle.hpp"
+#include "fixed/bytes.hpp"
+#include "fixed/exponential.hpp"
+#include "fixed/fixed.hpp"
+#include "fixed/power.hpp"
+#include "fixed/record/number.hpp"
+#include "fixed/trigonometry.hpp"
+
+namespace fixproof {
+
+/// \cond
+// NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): defines functions
+#define FIXPROOF_RECORDED_1(name, kind_name)                                          \
+  template <class N>                                                                  \
+  requires requires(N x) { fixproof::name(x); }                                       \
+  [[nodiscard]] constexpr recorded_number<N>(name)(                                   \
+      recorded_number<N> x,                                                           \
+      record::place from = FIXPROOF_HERE) noexcept(noexcept((fixproof::name)(N()))) { \
+    return record::detail::logged<record::kind::kind_name, N>(                        \
+        from, [](N a) { return (fixproof::name)(a); }, x.value_);                     \
+  }
+#define FIXPROOF_RECORDED_2(name, kind_name)                                               \
+  template <class N>                                                                       \
+  requires requires(N x) { (fixproof::name)(x, x); }                                       \
+  [[nodiscard]] constexpr recorded_number<N>(name)(                                        \
+      recorded_number<N> x, std::type_identity_t<recorded_number<N>> y,                    \
+      record::place from = FIXPROOF_HERE) noexcept(noexcept((fixproof::name)(N(), N()))) { \
+    return record::detail::logged<record::kind::kind_name, N>(                             \
+        from, [](N a, N b) { return (fixproof::name)(a, b); }, x.value_, y.value_);        \
+  }
+#define FIXPROOF_RECORDED_3(name, kind_name)                                                  \
+  template <class N>                                                                          \
+  [[nodiscard]] constexpr recorded_number<N> name(                                            \
+      recorded_number<N> x, std::type_identity_t<recorded_number<N>> y,                       \
+      std::type_identity_t<recorded_number<N>> z,                                             \
+      record::place from = FIXPROOF_HERE) noexcept(noexcept(fixproof::name(N(), N(), N()))) { \
+    return record::detail::logged<record::kind::kind_name, N>(                                \
+        from, [](N a, N b, N c) { return fixproof::name(a, b, c); }, x.value_, y.value_,      \
+        z.value_);                                                                            \
+  }
+// After `using std::max;`, a call with two recorded numbers prefers this to std::max, because it is
+// more specialised.
+#define FIXPROOF_RECORDED_PAIR(name)                                                              \
+  template <class N>                                                                              \
+  [[nodiscard]] constexpr recorded_number<N>(name)(recorded_number<N> x, recorded_number<N> y,    \
+                                                   record::place from = FIXPROOF_HERE) noexcept { \
+    return record::detail::logged<record::kind::name, N>(                                         \
+        from, [](N a, N b) { return (fixproof::name)(a, b); }, x.value_, y.value_);               \
+  }
+// NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
+
+FIXPROOF_RECORDED_1(floor, floor)
+FIXPROOF_RECORDED_1(ceil, ceil)
+FIXPROOF_RECORDED_1(round, round)
+FIXPROOF_RECORDED_1(trunc, trunc)
+FIXPROOF_RECORDED_1(abs, abs)
+FIXPROOF_RECORDED_2(min, min)
+FIXPROOF_RECORDED_2(max, max)
+FIXPROOF_RECORDED_PAIR(min)
+FIXPROOF_RECORDED_PAIR(max)
+FIXPROOF_RECORDED_1(sqrt, sqrt)
+FIXPROOF_RECORDED_3(mul_add, mul_add)
+FIXPROOF_RECORDED_3(lerp, lerp)
+FIXPROOF_RECORDED_3(mul_div, mul_div)
+FIXPROOF_RECORDED_2(fmod, fmod)
+FIXPROOF_RECORDED_2(remainder, nearest_remainder)
+FIXPROOF_RECORDED_1(rint, rint)
+FIXPROOF_RECORDED_1(nearbyint, rint)
+FIXPROOF_RECORDED_2(copysign, copysign)
+FIXPROOF_RECORDED_2(nextafter, nextafter)
+FIXPROOF_RECORDED_2(nexttoward, nextafter)
+FIXPROOF_RECORDED_1(sin, sin)
+FIXPROOF_RECORDED_1(cos, cos)
+FIXPROOF_RECORDED_1(tan, tan)
+FIXPROOF_RECORDED_1(sin_of_degrees, sin_of_degrees)
+FIXPROOF_RECORDED_1(cos_of_degrees, cos_of_degrees)
+FIXPROOF_RECORDED_1(tan_of_degrees, tan_of_degrees)
+FIXPROOF_RECORDED_1(sin_of_turns, sin_of_turns)
+FIXPROOF_RECORDED_1(cos_of_turns, cos_of_turns)
+FIXPROOF_RECORDED_1(tan_of_turns, tan_of_turns)
+FIXPROOF_RECORDED_1(exp, exp)
+FIXPROOF_RECORDED_1(exp2, exp2)
+FIXPROOF_RECORDED_1(expm1, expm1)
+FIXPROOF_RECORDED_1(log, log)
+FIXPROOF_RECORDED_1(log1p, log1p)
+FIXPROOF_RECORDED_1(log2, log2)
+FIXPROOF_RECORDED_1(log10, log10)
+FIXPROOF_RECORDED_1(sinh, sinh)
+FIXPROOF_RECORDED_1(cosh, cosh)
+FIXPROOF_RECORDED_1(tanh, tanh)
+FIXPROOF_RECORDED_1(cbrt, cbrt)
+FIXPROOF_RECORDED_1(rsqrt, rsqrt)
+FIXPROOF_RECORDED_1(reciprocal, reciprocal)
+FIXPROOF_RECORDED_2(hypot, hypot)
+FIXPROOF_RECORDED_3(hypot, hypot)
+FIXPROOF_RECORDED_2(pow, pow)
+FIXPROOF_RECORDED_1(atan, atan)
+FIXPROOF_RECORDED_2(atan2, atan2)
+FIXPROOF_RECORDED_1(asin, asin)
+FIXPROOF_RECORDED_1(acos, acos)
+#undef FIXPROOF_RECORDED_1
+#undef FIXPROOF_RECORDED_2
+#undef FIXPROOF_RECORDED_3
+#undef FIXPROOF_RECORDED_PAIR
+/// \endcond
+
+/// \name Functions with two results
+/// \{
+
+/// As those of plain numbers.
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): defines functions
+#define FIXPROOF_RECORDED_COS_SIN(name)                                             \
+  template <class N>                                                                \
+  [[nodiscard]] constexpr cos_sin<recorded_number<N>> name(                         \
+      recorded_number<N> angle,                                                     \
+      record::place from = FIXPROOF_HERE) noexcept(noexcept(fixproof::name(N()))) { \
+    const cos_sin<N> result = record::detail::logged<record::kind::name, N>(        \
+        from, [](N x) { return fixproof::name(x); }, angle.value_);                 \
+    return {result.cos, result.sin};                                                \
+  }
+FIXPROOF_RECORDED_COS_SIN(sin_cos)
+FIXPROOF_RECORDED_COS_SIN(sin_cos_of_degrees)
+FIXPROOF_RECORDED_COS_SIN(sin_cos_of_turns)
+#undef FIXPROOF_RECORDED_COS_SIN
+// NOLINTEND(cppcoreguidelines-macro-usage)
+template <class N>
+requires std::is_signed_v<typename N::raw_type>
+[[nodiscard]] constexpr recorded_number<N> remquo(
+    recorded_number<N> x, std::type_identity_t<recorded_number<N>> y, int* quotient,
+    record::place from = FIXPROOF_HERE) noexcept(N::divide_never_throws) {
+  const auto both = record::detail::logged<record::kind::remquo, N>(
+      from,
+      [](N a, N b) {
+        int whole = 0;
+        const N rest = fixproof::remquo(a, b, &whole);
+        return std::pair<N, int>(rest, whole);
+      },
+      x.value_, y.value_);
+  *quotient = both.second;
+  return both.first;
+}
+template <class N>
+[[nodiscard]] constexpr recorded_number<N> modf(
+    recorded_number<N> x, recorded_number<N>* whole,
+    record::place from = FIXPROOF_HERE) noexcept(N::never_throws) {
+  const auto both = record::detail::logged<record::kind::modf, N>(
+      from,
+      [](N a) {
+        N part;
+        const N rest = fixproof::modf(a, &part);
+        return std::pair<N, N>(rest, part);
+      },
+      x.value_);
+  *whole = both.second;
+  return both.first;
+}
+/// \}
+
+/// \name Angles in tenths of a degree
+/// \{
+
+/// As those of plain numbers, which are templates that take any type, and so recorded ones. Of two
+/// templates with the same parameters, the compiler takes the one with more constraints, which are
+/// these. A parameter for the place would make the parameters differ.
+template <class R>
+requires record::detail::is_recorded<R>
+[[nodiscard]] constexpr cos_sin<R> sin_cos_of_tenths(std::integral auto angle) noexcept {
+  using N = typename R::plain_type;
+  const cos_sin<N> result = record::detail::logged<record::kind::sin_cos_of_tenths, N>(
+      record::nowhere, [](auto x) { return fixproof::sin_cos_of_tenths<N>(x); }, angle);
+  return {result.cos, result.sin};
+}
+template <class R>
+requires record::detail::is_recorded<R>
+[[nodiscard]] constexpr R cos_of_tenths(std::integral auto angle) noexcept {
+  using N = typename R::plain_type;
+  return record::detail::logged<record::kind::cos_of_tenths, N>(
+      record::nowhere, [](auto x) { return fixproof::cos_of_tenths<N>(x); }, angle);
+}
+template <class R>
+requires record::detail::is_recorded<R>
+[[nodiscard]] constexpr R sin_of_tenths(std::integral auto angle) noexcept {
+  using N = typename R::plain_type;
+  return record::detail::logged<record::kind::sin_of_tenths, N>(
+      record::nowhere, [](auto x) { return fixproof::sin_of_tenths<N>(x); }, angle);
+}
+/// \}
+
+/// As try_divide() of plain numbers: n / d, or nothing.
+template <class N>
+[[nodiscard]] constexpr std::optional<recorded_number<N>> try_divide(
+    recorded_number<N> n, std::type_identity_t<recorded_number<N>> d,
+    record::place from = FIXPROOF_HERE) noexcept {
+  const std::optional<N> result = record::detail::logged<record::kind::try_divide, N>(
+      from, [](N a, N b) { return fixproof::try_divide(a, b); }, n.value_, d.value_);
+  return result ? std::optional<recorded_number<N>>(*result) : std::nullopt;
+}
+
+/// Returns x rounded to an integer. It makes no number, so it is not recorded.
+template <rounding Rule, class N>
+[[nodiscard]] constexpr auto to_integer(recorded_number<N> x) noexcept {
+  return fixproof::to_integer<Rule>(x.value_);
+}
+
+/// \name Signs and classes
+/// As those of plain numbers, and not recorded.
+/// \{
+template <class N>
+[[nodiscard]] constexpr bool(signbit)(recorded_number<N> x) noexcept {
+  return (fixproof::signbit)(x.value_);
+}
+template <class N>
+[[nodiscard]] constexpr bool(isfinite)(recorded_number<N> /*x*/) noexcept {
+  return true;
+}
+template <class N>
+[[nodiscard]] constexpr bool(isinf)(recorded_number<N> /*x*/) noexcept {
+  return false;
+}
+template <class N>
+[[nodiscard]] constexpr bool(isnan)(recorded_number<N> /*x*/) noexcept {
+  return false;
+}
+template <class N>
+[[nodiscard]] constexpr bool(isnormal)(recorded_number<N> x) noexcept {
+  return (fixproof::isnormal)(x.value_);
+}
+/// \}
+
+/// The sum of products of two ranges, as dot() of plain numbers. The record has the number of terms
+/// and a hash of each range.
+template <detail::number_range A, detail::number_range B>
+requires std::same_as<detail::element_t<A>, detail::element_t<B>> &&
+    record::detail::is_recorded<detail::element_t<A>>
+[[nodiscard]] constexpr detail::element_t<A> dot(const A& a, const B& b) noexcept(
+    detail::element_t<A>::multiply_never_throws) {
+  using N = typename detail::element_t<A>::plain_type;
+  const std::size_t terms = std::size(a) < std::size(b) ? std::size(a) : std::size(b);
+  const auto* const x = std::data(a);
+  const auto* const y = std::data(b);
+  const auto sum_of = [x, y](record::detail::digest, record::detail::digest, std::size_t count) {
+    using wide = detail::wide_integer<3>;
+    wide sum;
+    for (std::size_t i = 0; i < count; ++i) sum = sum + wide{x[i].raw()} * wide{y[i].raw()};
+    return N::from_raw(detail::narrow<N::rules.product_range(), typename N::raw_type>(
+        detail::shift_right<N::rules.multiply>(sum, N::fraction_bits),
+        [count] { detail::raise<overflow_error>("overflow", "dot", detail::term_count{count}); }));
+  };
+  const auto hash_of = [terms](const auto* numbers) {
+    record::detail::digest all{0};
+    for (std::size_t i = 0; i < terms; ++i) {
+      all.hash = record::next_hash(all.hash, i, record::detail::bits_of(numbers[i].raw()));
+    }
+    return all;
+  };
+  return record::detail::logged<record::kind::dot, N>(record::nowhere, sum_of, hash_of(x),
+                                                      hash_of(y), terms);
+}
+
+}  // namespace fixproof

@@ -1,0 +1,141 @@
+/// \file
+/// Recorded numbers in the standard library: text, formatters, limits, hashes and common types.
+#pragma once
+
+#include <bit>
+#include <charconv>
+#include <cstddef>
+#include <functional>
+#include <istream>
+#include <limits>
+#include <numbers>
+#include <ostream>
+#include <string>
+#include <type_traits>
+
+#include "fixed/bytes.hpp"
+#include "fixed/fixed.hpp"
+#include "fixed/record/number.hpp"
+
+namespace fixproof {
+
+/// \name Text
+/// As that of plain numbers. Reading is recorded, and writing is not.
+/// \{
+template <class N>
+constexpr std::to_chars_result to_chars(char* first, char* last, recorded_number<N> x) noexcept {
+  return fixproof::to_chars(first, last, x.value_);
+}
+template <class N>
+constexpr std::from_chars_result from_chars(const char* first, const char* last,
+                                            recorded_number<N>& x,
+                                            record::place from = FIXPROOF_HERE) noexcept {
+  const std::from_chars_result read = fixproof::from_chars(first, last, x.value_);
+  if (read.ec == std::errc{} && !std::is_constant_evaluated()) {
+    record::detail::note_input<record::kind::from_text, N>(from, x.value_);
+  }
+  return read;
+}
+template <class N>
+std::string to_string(recorded_number<N> x) {
+  return fixproof::to_string(x.value_);
+}
+template <class Traits, class N>
+std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
+                                             recorded_number<N> x) {
+  return out << x.value_;
+}
+template <class Traits, class N>
+std::basic_istream<char, Traits>& operator>>(std::basic_istream<char, Traits>& in,
+                                             recorded_number<N>& x) {
+  in >> x.value_;
+  if (in) record::detail::note_input<record::kind::from_text, N>(record::nowhere, x.value_);
+  return in;
+}
+/// \}
+
+/// Returns the bytes of the plain number.
+template <std::endian Order, class N>
+[[nodiscard]] constexpr auto to_bytes(recorded_number<N> x) noexcept {
+  return fixproof::to_bytes<Order>(x.value_);
+}
+
+}  // namespace fixproof
+
+/// The limits of the plain number, as recorded numbers.
+template <class N>
+class std::numeric_limits<fixproof::recorded_number<N>> : public std::numeric_limits<N> {
+  using plain = std::numeric_limits<N>;
+  using recorded = fixproof::recorded_number<N>;
+
+ public:
+  /// \name As those of the plain number
+  /// \{
+
+  /// Members as the standard names them.
+  static constexpr recorded(min)() noexcept { return (plain::min)(); }
+  static constexpr recorded(max)() noexcept { return (plain::max)(); }
+  static constexpr recorded lowest() noexcept { return plain::lowest(); }
+  static constexpr recorded epsilon() noexcept { return plain::epsilon(); }
+  static constexpr recorded round_error() noexcept { return plain::round_error(); }
+  static constexpr recorded denorm_min() noexcept { return plain::denorm_min(); }
+  static constexpr recorded infinity() noexcept { return plain::infinity(); }
+  static constexpr recorded quiet_NaN() noexcept { return plain::quiet_NaN(); }
+  static constexpr recorded signaling_NaN() noexcept { return plain::signaling_NaN(); }
+  /// \}
+};
+
+/// The hash of the plain number.
+template <class N>
+struct std::hash<fixproof::recorded_number<N>> {
+  /// Returns the hash of the plain number.
+  std::size_t operator()(fixproof::recorded_number<N> x) const noexcept {
+    return std::hash<N>{}(x.plain());
+  }
+};
+
+/// The common type with an integer, as for the plain number.
+template <class N, fixproof::detail::integer Int>
+struct std::common_type<fixproof::recorded_number<N>, Int> {
+  /// The recorded number.
+  using type = fixproof::recorded_number<N>;
+};
+template <fixproof::detail::integer Int, class N>
+struct std::common_type<Int, fixproof::recorded_number<N>> {
+  /// The recorded number.
+  using type = fixproof::recorded_number<N>;
+};
+
+/// \cond
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): defines a constant
+#define FIXPROOF_RECORDED_CONSTANT(name)                                                           \
+  template <class N>                                                                               \
+  inline constexpr fixproof::recorded_number<N> std::numbers::name<fixproof::recorded_number<N>> = \
+      std::numbers::name<N>;
+FIXPROOF_RECORDED_CONSTANT(pi_v)
+FIXPROOF_RECORDED_CONSTANT(e_v)
+FIXPROOF_RECORDED_CONSTANT(ln2_v)
+FIXPROOF_RECORDED_CONSTANT(ln10_v)
+FIXPROOF_RECORDED_CONSTANT(log2e_v)
+FIXPROOF_RECORDED_CONSTANT(log10e_v)
+FIXPROOF_RECORDED_CONSTANT(sqrt2_v)
+FIXPROOF_RECORDED_CONSTANT(sqrt3_v)
+FIXPROOF_RECORDED_CONSTANT(inv_pi_v)
+FIXPROOF_RECORDED_CONSTANT(inv_sqrtpi_v)
+FIXPROOF_RECORDED_CONSTANT(inv_sqrt3_v)
+FIXPROOF_RECORDED_CONSTANT(phi_v)
+FIXPROOF_RECORDED_CONSTANT(egamma_v)
+#undef FIXPROOF_RECORDED_CONSTANT
+/// \endcond
+
+#if defined(__cpp_lib_format)
+#include <format>
+template <class N>
+struct std::formatter<fixproof::recorded_number<N>, char> : std::formatter<N, char> {
+  /// Formats the plain number.
+  template <class Context>
+  auto format(fixproof::recorded_number<N> x, Context& context) const {
+    return std::formatter<N, char>::format(x.plain(), context);
+  }
+};
+#endif

@@ -1,0 +1,136 @@
+# The library in one file, without comments:
+#
+#     cmake -D OUT=fixed.hpp -P fixed/single_header.cmake
+#
+# The file has three parts:
+#   1. fixed/fixed.hpp with every header of this library in the place where it is included first;
+#   2. fixed/format.hpp, outside the include guard: including the file again after fmt adds fmt's
+#      formatter, as including that header again does;
+#   3. fixed/batch/batch.hpp, fixed/batch/radian.hpp and fixed/batch/conversions.hpp, if FIXED_BATCH is defined. Their
+#      vector code is compiled once for each instruction set, so it comes first and the file
+#      includes itself.
+cmake_minimum_required(VERSION 3.22)
+get_filename_component(root ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
+include(${root}/fixed/version.cmake)
+if(NOT OUT)
+  message(FATAL_ERROR "usage: cmake -D OUT=FILE -P fixed/single_header.cmake")
+endif()
+get_filename_component(own_name ${OUT} NAME)
+
+# The standard headers of a program without a run-time library. The file includes them once, first.
+set(standard_headers array bit cfloat compare concepts cstddef cstdint limits numbers optional
+    type_traits utility)
+list(TRANSFORM standard_headers REPLACE ".+" "#include <\\0>\n" OUTPUT_VARIABLE standard_includes)
+list(JOIN standard_includes "" standard_includes)
+list(JOIN standard_headers "|" standard_header)
+
+# read_header(HEADER RESULT): its text, indented by tabs. It drops comments, `#pragma once`, the includes of
+# standard_headers, and spaces that only align. To a line that ends with (, a comma, an operator or template <...>, it
+# appends the next line. It appends a line that begins with : or ? to the line before. It puts a block of one statement
+# on one line. It moves any other indented closing brace to the end of the line before. It shortens indents of more than
+# two tabs to two, because lines that continue others begin far to the right.
+function(read_header header result)
+  file(READ ${root}/${header} text)
+  string(REGEX REPLACE "}  // namespace (fixproof|fixproof::detail)\n" "}@\\1@\n" text "${text}")
+  string(REGEX REPLACE " *//[^\n]*| */[*][^*\n]*[*]/" "" text "\n${text}")
+  string(REGEX REPLACE "\n\n+" "\n" text "${text}")
+  string(REGEX REPLACE "([^ \n])  +" "\\1 " text "${text}")
+  string(REGEX REPLACE "([(])\n +" "\\1" text "${text}")
+  string(REGEX REPLACE "(,|&&| [=+|&?:</-])\n +" "\\1 " text "${text}")
+  string(REGEX REPLACE "\n +([:?] )" " \\1" text "${text}")
+  string(REGEX REPLACE "{\n +([^\n#{}]+;)\n *}" "{ \\1 }" text "${text}")
+  while(text MATCHES "\n\t*  ")
+    string(REGEX REPLACE "(\n\t*)  " "\\1\t" text "${text}")
+  endwhile()
+  string(REGEX REPLACE "\n\t\t\t+ ?" "\n\t\t" text "${text}")
+  while(text MATCHES "[;}]\n\t+}\n")
+    string(REGEX REPLACE "([;}])\n\t+}\n" "\\1 }\n" text "${text}")
+  endwhile()
+  string(REGEX REPLACE "(\n\t+template <[^\n]+>)\n\t+" "\\1 " text "${text}")
+  string(REPLACE "\n#pragma once\n" "\n" text "${text}")
+  string(REGEX REPLACE "\n#include <(${standard_header})>" "" text "${text}")
+  string(REGEX REPLACE "\n$" "" text "${text}")
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
+# expand(TEXT RESULT): the text with the headers that it includes and `done` does not have.
+set(done fixed/format.hpp)
+# A function, because a macro would evaluate the backslashes of the text again.
+function(expand start result)
+  set(text "${start}")
+  while(text MATCHES "\n#include \"(fixed/[a-z_/]+[.]hpp)\"")
+    set(header ${CMAKE_MATCH_1})
+    string(FIND "${text}" "${CMAKE_MATCH_0}" at)
+    string(LENGTH "${CMAKE_MATCH_0}" length)
+    math(EXPR after "${at} + ${length}")
+    string(SUBSTRING "${text}" 0 ${at} before)
+    string(SUBSTRING "${text}" ${after} -1 text)
+    set(included "")
+    if(NOT header IN_LIST done)
+      list(APPEND done ${header})
+      read_header(${header} included)
+    endif()
+    set(text "${before}${included}${text}")
+  endwhile()
+  set(done "${done}" PARENT_SCOPE)
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
+set(parts fixed/batch/detail/parts.hpp)
+expand("\n#include \"fixed/fixed.hpp\"" number)
+read_header(fixed/format.hpp format)
+string(REGEX REPLACE "\n#include \"fixed/[^\n]*" "" format "${format}")
+read_header(${parts} lanes)
+expand("${lanes}" lanes)
+read_header(fixed/batch/detail/targets.hpp targets)
+string(REPLACE "#include \"${parts}\"" "#include \"${own_name}\"" targets "${targets}")
+list(APPEND done fixed/batch/detail/targets.hpp)
+expand("${targets}" targets)
+expand("\n#include \"fixed/batch/batch.hpp\"\n#include \"fixed/batch/radian.hpp\"\n#include \"fixed/batch/conversions.hpp\"" batch)
+
+file(READ ${root}/LICENSE license)
+string(STRIP "${license}" license)
+string(REPLACE "\n" "\n// " license "// ${license}")
+string(REPLACE "// \n" "//\n" license "${license}")
+set(text "\
+// Fixproof ${fixed_version}: fixed-point numbers, header-only C++20.
+// Made of the headers in fixed/ and fixed/batch/, whose comments document everything; change those, not this file.
+// #define FIXED_BATCH before including this file to have the operations over spans, too. They need
+// the file under its own name, ${own_name}.
+//
+${license}
+#if defined(FIXED_LANES)
+${lanes}
+#else
+
+#ifndef FIXED_SINGLE_HEADER
+#define FIXED_SINGLE_HEADER
+${standard_includes}${number}
+#endif  // FIXED_SINGLE_HEADER
+
+#if __STDC_HOSTED__
+${format}
+#endif
+
+#if defined(FIXED_BATCH) && !defined(FIXED_SINGLE_HEADER_BATCH)
+#define FIXED_SINGLE_HEADER_BATCH
+${targets}${batch}
+#endif  // FIXED_BATCH
+
+#endif  // FIXED_LANES
+")
+# Shorter names for macros: tests/fixed/import/own_tests limits the size.
+foreach(pair "LANE_FUNCTION FN" "LANE_BYTES BYTES" "ALWAYS_INLINE HOT" "INLINE_UNOPTIMISED HOT0" "REFUSED_OPERATOR NO_OP"
+    "REFUSED NO" "ELSEWHERE FAR" "LITERAL LIT" "INSTEAD USE" "SURE_OF_AVX512 SURE")
+  string(REPLACE " " ";FIXED_" pair "FIXED_${pair}")
+  list(GET pair 0 long)
+  list(GET pair 1 short)
+  string(REPLACE ${long} ${short} text "${text}")
+endforeach()
+# Joins namespaces that one header closes and the next opens again. A name between @ marks where a header closes one.
+foreach(name fixproof fixproof::detail)
+  string(REGEX REPLACE "}@${name}@\n+namespace ${name} {\n" "" text "${text}")
+  string(REPLACE "}@${name}@" "}" text "${text}")
+endforeach()
+file(WRITE ${OUT} "${text}")
+message(STATUS "${OUT}: the library ${fixed_version} in one file")

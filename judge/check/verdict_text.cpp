@@ -1,0 +1,118 @@
+#include "judge/check/verdict_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+#include "judge/check/cases.hpp"
+#include "judge/check/guess_text.hpp"
+#include "support/plain_text.hpp"
+
+namespace fixproof::check {
+
+namespace {
+
+std::string text_of_said(Said said, const cases::Format& format) {
+  return said ? hex_text(*said, format) : std::string("DE");
+}
+
+/// Returns the words in hex and, in parentheses, their values; the operand of a conversion
+/// likewise.
+std::string text_of_operands(const JudgedCase& one, const Rules& rules) {
+  if (one.converted) {
+    return text_of(*one.converted, variant_of(rules.operation, rules.format, rules.from));
+  }
+  std::string hex;
+  std::string decimal;
+  const auto values = one.values().words();
+  for (std::size_t i = 0; i < cases::words_in(rules.operation); ++i) {
+    const std::string_view space = hex.empty() ? "" : " ";
+    hex += fmt::format("{}{}", space, hex_text(one.words.at(i), rules.format));
+    decimal += fmt::format("{}{}", space, decimal_text(values[i], rules.format));
+  }
+  return fmt::format("{} ({})", hex, decimal);
+}
+
+std::string table_line(std::string_view name, KindTally all, KindTally negative) {
+  return fmt::format("{:<16} {:>13} {:>12}  {:>13} {:>12}\n", name, support::grouped(all.cases),
+                     support::grouped(all.wrong), support::grouped(negative.cases),
+                     support::grouped(negative.wrong));
+}
+
+void add_to(KindTally& sum, KindTally other) {
+  sum.cases += other.cases;
+  sum.wrong += other.wrong;
+}
+
+std::string table_of(const Judge& judge) {
+  std::string text = fmt::format("{:<16} {:>13} {:>12}  {:>13} {:>12}\n", "exact result", "cases",
+                                 "wrong", "of them < 0", "wrong");
+  KindTally sum;
+  KindTally negative_sum;
+  for (std::size_t i = 0; i < case_kinds; ++i) {
+    const auto kind = static_cast<CaseKind>(i);
+    const KindTally all = judge.tally(kind, false);
+    const KindTally negative = judge.tally(kind, true);
+    add_to(sum, all);
+    add_to(negative_sum, negative);
+    if (all.cases == 0) continue;
+    text += table_line(name_of(kind, judge.rules().operation), all, negative);
+  }
+  return text + table_line("all", sum, negative_sum);
+}
+
+std::string wrong_cases(const Judge& judge) {
+  const FirstCases& wrong = judge.wrong();
+  if (wrong.count() == 0) return "";
+  std::string text = "\n";
+  for (const JudgedCase& one : wrong.shown()) text += text_of(one, judge.rules()) + '\n';
+  if (wrong.shown().size() < wrong.count()) {
+    text += fmt::format("Shown: {} of {} wrong results; --show N shows more.\n",
+                        wrong.shown().size(), support::grouped(wrong.count()));
+  }
+  return text;
+}
+
+std::string common_text(const Judge& judge) {
+  std::string text;
+  for (const std::string& line : judge.common().lines()) text += fmt::format("  {}\n", line);
+  return text.empty() ? "" : "\nWhat the wrong cases have in common:\n" + text;
+}
+
+}  // namespace
+
+std::string text_of(const JudgedCase& one, const Rules& rules) {
+  const cases::Operation operation = rules.operation;
+  const cases::Format& format = rules.format;
+  // A rule of a program takes the words as they are.
+  const Expected expected =
+      expected_of(rules, rules.port != nullptr ? one.operands() : one.values());
+  const ExactPlace place = exact_place(operation, format, one.values());
+  const auto rounded = rounded_result(operation, format, one.values(), rules.rounding);
+  const CaseKind kind = place.kind(rounded && !rounded->fits);
+  std::string text = fmt::format("case {} ({}): {}: ", support::grouped(one.number),
+                                 support::printable(one.origin), text_of_operands(one, rules));
+  if (operation == cases::Operation::to_decimal) {
+    return text + fmt::format("{} expected, {} said", decimal_text(*expected.said, format),
+                              support::printable(one.said_text));
+  }
+  if (expected.judged) text += fmt::format("{} expected, ", text_of_said(expected.said, format));
+  text += fmt::format("{} said; ", text_of_said(one.said, format));
+  if (place.has_result) {
+    text += fmt::format("exact {} ulp, ", exact_text(operation, format, one.values()));
+  }
+  return text + std::string(name_of(kind, operation));
+}
+
+std::string verdict_text(const Judge& judge) {
+  std::string text = table_of(judge);
+  if (judge.not_judged() > 0) {
+    text += fmt::format("{} cases accept any result and are not judged.\n",
+                        support::grouped(judge.not_judged()));
+  }
+  return text + wrong_cases(judge) + common_text(judge) + '\n' + guess_text(judge);
+}
+
+}  // namespace fixproof::check

@@ -1,0 +1,18 @@
+/// @file
+/// The findings of a judge as text.
+#pragma once
+
+#include <string>
+
+#include "judge/check/judge.hpp"
+
+namespace fixproof::check {
+
+/// Returns one line with the case, the expected and the actual result, and the exact result.
+std::string text_of(const JudgedCase& one, const Rules& rules);
+
+/// Returns the counts by kind of case, the first wrong cases, what the wrong cases have in common,
+/// and the rules that the subject follows. Requires at least one judged case.
+std::string verdict_text(const Judge& judge);
+
+}  // namespace fixproof::check

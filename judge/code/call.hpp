@@ -1,0 +1,109 @@
+/// @file
+/// Puts the operands of a call into registers and memory, and reads its results from there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "judge/code/frame.hpp"
+#include "judge/code/image.hpp"
+#include "verify/cases/draw.hpp"
+#include "verify/machine_code/x87.hpp"
+#include "x86model/flags.hpp"
+
+namespace fixproof::judge {
+
+inline constexpr std::uint32_t direction_flag = 0x400;
+inline constexpr std::uint32_t observed_flags = x86model::arithmetic_flags | direction_flag;
+
+struct Registers {
+  std::array<std::uint32_t, x86model::register_count> general{};  ///< in the order of encoding
+  std::uint32_t flags = 0;                                        ///< of observed_flags
+  machine_code::X87 x87{};                                        ///< only after a call
+  bool has_own_segments = true;  ///< only after a call: whether DS and SS are those of the image
+
+  [[nodiscard]] std::uint32_t read(const RegisterName& name) const;
+  void write(const RegisterName& name, std::uint32_t value);
+};
+
+enum class End : std::uint8_t {
+  returned,
+  divide_error,     ///< #DE
+  bad_instruction,  ///< an invalid or privileged instruction
+  bad_address,      ///< an access to memory that does not exist
+  interrupt,        ///< INT n
+  system_call,      ///< SYSCALL or SYSENTER
+  port,             ///< IN or OUT
+  halted,           ///< HLT
+  endless,          ///< no return within the machine's limit of steps or time
+  fault,            ///< any other fault on the host processor
+};
+
+/// How a call ended, and where.
+struct Ending {
+  End end = End::returned;
+  std::uint8_t number = 0;    ///< the interrupt's
+  std::uint32_t at = 0;       ///< the instruction's offset in its segment; 0 on the host processor
+  std::uint32_t address = 0;  ///< what bad_address accessed
+};
+
+/// Sets up calls of one routine and reads their results.
+class Call {
+ public:
+  /// @param code_selector the selector of far return addresses
+  Call(const Image& image, const Frame& frame, const cases::Variant& variant,
+       std::uint16_t code_selector);
+
+  /// Sets up a call: operands, a return address, and noise in all other registers, the flags and
+  /// the places of results. The noise depends only on `number`.
+  /// @param words words_in(variant) words
+  void enter(std::uint8_t* memory, Registers& registers, std::span<const std::uint32_t> words,
+             std::uint64_t number);
+  /// Reads the result of a call into words_out(variant) words.
+  void leave(const std::uint8_t* memory, const Registers& registers,
+             std::span<std::uint32_t> words) const;
+  /// Bits of broken(). Every convention forbids what they say.
+  static constexpr unsigned sets_direction = 1U << 8U;   ///< DF is set
+  static constexpr unsigned fills_x87 = 1U << 9U;        ///< the x87 stack is not empty
+  static constexpr unsigned controls_x87 = 1U << 10U;    ///< the x87 has another control word
+  static constexpr unsigned moves_segments = 1U << 11U;  ///< DS or SS is another one
+  /// Returns the registers that the call should have preserved and did not, with bit r for register
+  /// r in the order of encoding, and the bits above. Bit 4 is set if the stack pointer is not what
+  /// the convention says.
+  [[nodiscard]] unsigned broken(const Registers& left) const;
+  /// Returns all registers that the call changed, except the stack pointer.
+  [[nodiscard]] unsigned changed(const Registers& left) const;
+
+ private:
+  /// Puts operands behind their pointers, and noise where the results will be.
+  void put_operands(std::uint8_t* memory, std::span<const std::uint32_t> words,
+                    cases::Draw& draw) const;
+  void load_registers(Registers& registers, std::span<const std::uint32_t> words) const;
+  void take_results(const std::uint8_t* memory, std::span<std::uint32_t> words) const;
+  /// Returns the number of words that a parameter takes on the stack.
+  [[nodiscard]] int slots_of(const Parameter& p) const;
+  void push(std::uint8_t* memory, std::uint32_t value, int bytes);
+  void push_parameter(std::uint8_t* memory, std::size_t index,
+                      std::span<const std::uint32_t> words);
+
+  const Image& image_;
+  const Frame& frame_;
+  cases::Variant variant_;
+  std::vector<Parameter> parameters_;
+  std::vector<Place> results_;               ///< of those in registers
+  std::vector<std::size_t> first_word_;      ///< of each parameter, in the operands
+  std::vector<std::uint32_t> data_offsets_;  ///< of each parameter: where its pointer points to
+  std::uint16_t code_selector_;
+  int slot_;                  ///< size of a pushed word in bytes
+  std::uint32_t bottom_ = 0;  ///< offset of the top of the stack before the parameters
+  std::uint32_t top_ = 0;     ///< offset of the top of the stack
+  std::uint32_t popped_ = 0;  ///< SP after the return
+  Registers entered_;
+};
+
+/// Writes or reads a little-endian number of at most 4 bytes.
+void store(std::uint8_t* to, std::uint32_t value, int bytes);
+std::uint32_t fetch(const std::uint8_t* from, int bytes);
+
+}  // namespace fixproof::judge

@@ -1,0 +1,292 @@
+#include "verify/machine_code/emulator.hpp"
+
+#include <fmt/format.h>
+#include <unicorn/unicorn.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <new>
+#include <utility>
+
+#include "judge/code/machine.hpp"
+
+namespace fixproof::judge {
+
+namespace {
+
+using machine_code::EmulatorError;
+
+/// The registers in the order of encoding, then the flags.
+constexpr std::array register_numbers{UC_X86_REG_EAX, UC_X86_REG_ECX, UC_X86_REG_EDX,
+                                      UC_X86_REG_EBX, UC_X86_REG_ESP, UC_X86_REG_EBP,
+                                      UC_X86_REG_ESI, UC_X86_REG_EDI, UC_X86_REG_EFLAGS};
+
+/// A call that executes more basic blocks than this counts as endless; a traced call, more steps.
+constexpr std::uint64_t max_blocks = 2'000'000;
+constexpr std::size_t max_emulated_steps = 100'000;
+constexpr std::size_t page = 0x1000;
+
+void check(uc_err error, const char* what) {
+  if (error == UC_ERR_OK) return;
+  throw EmulatorError(fmt::format("Unicorn: {}: {}", what, uc_strerror(error)));
+}
+
+/// Unicorn takes hooks as void*, and only a reinterpret_cast converts a function pointer to one.
+template <class Function>
+void* hook_of(Function* function) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): see above
+  return reinterpret_cast<void*>(function);
+}
+
+struct Free {
+  // NOLINTNEXTLINE(*-no-malloc,*-owning-memory): the memory is std::aligned_alloc()'s
+  void operator()(std::uint8_t* memory) const { std::free(memory); }
+};
+
+class Emulator final : public Machine {
+ public:
+  Emulator(const Image& image, Trace* trace)
+      : image_(image),
+        trace_(trace),
+        bytes_((image.memory.size() + page - 1) / page * page),
+        memory_(static_cast<std::uint8_t*>(std::aligned_alloc(page, bytes_))) {
+    if (!memory_) throw std::bad_alloc();
+    std::copy(image.memory.begin(), image.memory.end(), memory_.get());
+    memory_.get()[image.code_at(image.exit)] = 0x90;  // NOP, for the hook
+    check(uc_open(UC_ARCH_X86, image.bits == 16 ? UC_MODE_16 : UC_MODE_32, &engine_), "open");
+    check(uc_mem_map_ptr(engine_, 0, bytes_, UC_PROT_ALL, memory_.get()), "memory");
+    if (image.bits == 16) {
+      write(UC_X86_REG_CS, image.code_segment);
+      for (const int r : {UC_X86_REG_DS, UC_X86_REG_ES, UC_X86_REG_SS}) {
+        write(r, image.data_segment);
+      }
+    }
+    initialize_floating_point();
+    check(uc_context_alloc(engine_, &fresh_), "context");
+    check(uc_context_save(engine_, fresh_), "context");
+    add_hooks();
+  }
+  ~Emulator() override {
+    if (fresh_ != nullptr) uc_context_free(fresh_);
+    if (engine_ != nullptr) uc_close(engine_);
+  }
+
+  [[nodiscard]] std::uint8_t* memory() const override { return memory_.get(); }
+  [[nodiscard]] std::uint16_t code_selector() const override { return image_.code_segment; }
+
+  Ending call(Registers& registers) override {
+    ending_ = {.end = End::halted};
+    blocks_ = 0;
+    write_registers(registers);
+    const uc_err error =
+        uc_emu_start(engine_, image_.code_at(image_.entry), ~std::uint64_t{0}, 0, 0);
+    registers = read_registers();
+    registers.x87 = {read_word(UC_X86_REG_FPCW), read_word(UC_X86_REG_FPTAG)};
+    registers.has_own_segments =
+        image_.bits == 32 || (read_word(UC_X86_REG_DS) == image_.data_segment &&
+                              read_word(UC_X86_REG_SS) == image_.data_segment);
+    std::uint64_t at = 0;
+    check(uc_reg_read(engine_, image_.bits == 16 ? UC_X86_REG_IP : UC_X86_REG_EIP, &at),
+          "registers");
+    // Every call starts with the same segments and floating point, and without the exception that
+    // ended the last one.
+    check(uc_context_restore(engine_, fresh_), "context");
+    if (ending_.end == End::returned) return ending_;
+    if (error != UC_ERR_OK && ending_.end == End::halted) ending_.end = end_after(error);
+    // A trace has the exact place, its last step. Otherwise the place is as exact as Unicorn keeps
+    // it.
+    ending_.at = trace_ != nullptr && !trace_->steps.empty() ? trace_->steps.back().at
+                                                             : static_cast<std::uint32_t>(at);
+    return ending_;
+  }
+
+ private:
+  static End end_after(uc_err error) {
+    switch (error) {
+      case UC_ERR_INSN_INVALID:
+      case UC_ERR_EXCEPTION:
+        return End::bad_instruction;
+      case UC_ERR_READ_UNMAPPED:
+      case UC_ERR_WRITE_UNMAPPED:
+      case UC_ERR_FETCH_UNMAPPED:
+      case UC_ERR_READ_PROT:
+      case UC_ERR_WRITE_PROT:
+      case UC_ERR_FETCH_PROT:
+        return End::bad_address;
+      default:
+        throw EmulatorError(fmt::format("Unicorn: run: {}", uc_strerror(error)));
+    }
+  }
+
+  /// Unicorn reports exceptions as interrupts.
+  [[nodiscard]] End end_after_interrupt(std::uint32_t number) const {
+    constexpr std::uint32_t invalid_opcode = 6;
+    constexpr std::uint32_t general_protection = 13;
+    if (number == 0) return End::divide_error;
+    if (number == invalid_opcode) return End::bad_instruction;
+    // In 16-bit code, SYSENTER raises #GP.
+    if (number == general_protection && trace_ != nullptr && !trace_->steps.empty()) {
+      const std::uint32_t at = image_.code_at(trace_->steps.back().at);
+      if (at + 2 <= bytes_ && fetch(memory_.get() + at, 2) == 0x340F) return End::system_call;
+    }
+    return End::interrupt;
+  }
+
+  void write(int number, std::uint64_t value) {
+    check(uc_reg_write(engine_, number, &value), "registers");
+  }
+
+  std::uint16_t read_word(int number) {
+    std::uint16_t value = 0;
+    check(uc_reg_read(engine_, number, &value), "registers");
+    return value;
+  }
+
+  /// Gives x87 and SSE the state of a new process on this processor. Unicorn starts with control
+  /// words of 0: single precision, and no exception masked.
+  void initialize_floating_point() {
+    constexpr machine_code::X87 fresh;
+    write(UC_X86_REG_FPCW, fresh.control);
+    write(UC_X86_REG_FPSW, 0);
+    write(UC_X86_REG_FPTAG, fresh.tags);
+    write(UC_X86_REG_MXCSR, 0x1F80);
+  }
+
+  template <class Values>
+  static auto lists(Values& values) {
+    std::array<int, register_numbers.size()> numbers{};
+    std::array<void*, register_numbers.size()> places{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      numbers.at(i) = register_numbers.at(i);
+      places.at(i) = &values.at(i);
+    }
+    return std::pair(numbers, places);
+  }
+
+  Registers read_registers() {
+    std::array<std::uint32_t, register_numbers.size()> values{};
+    auto [numbers, places] = lists(values);
+    check(
+        uc_reg_read_batch(engine_, numbers.data(), places.data(), static_cast<int>(numbers.size())),
+        "registers");
+    Registers registers;
+    std::copy(values.begin(), values.end() - 1, registers.general.begin());
+    registers.flags = values.back() & observed_flags;
+    return registers;
+  }
+
+  void write_registers(const Registers& registers) {
+    std::array<std::uint32_t, register_numbers.size()> values{};
+    std::copy(registers.general.begin(), registers.general.end(), values.begin());
+    values.back() = 2U | registers.flags;  // bit 1 is always set
+    auto [numbers, places] = lists(values);
+    check(uc_reg_write_batch(engine_, numbers.data(), places.data(),
+                             static_cast<int>(numbers.size())),
+          "registers");
+  }
+
+  void stop(End end) {
+    ending_.end = end;
+    uc_emu_stop(engine_);
+  }
+
+  template <class Function, class... More>
+  void add(int kind, Function* function, std::uint64_t first, std::uint64_t last, More... more) {
+    uc_hook hook = 0;
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the only function there is
+    check(uc_hook_add(engine_, &hook, kind, hook_of(function), this, first, last, more...), "hook");
+  }
+
+  static Emulator& self(void* data) { return *static_cast<Emulator*>(data); }
+
+  void add_hooks() {
+    using Code = void(uc_engine*, std::uint64_t, std::uint32_t, void*);
+    const std::uint64_t exit = image_.code_at(image_.exit);
+    Code* const at_exit = [](uc_engine*, std::uint64_t, std::uint32_t, void* data) {
+      self(data).stop(End::returned);
+    };
+    add(UC_HOOK_CODE, at_exit, exit, exit);
+    Code* const at_block = [](uc_engine*, std::uint64_t, std::uint32_t, void* data) {
+      if (++self(data).blocks_ > max_blocks) self(data).stop(End::endless);
+    };
+    add(UC_HOOK_BLOCK, at_block, 1, 0);
+    using Interrupt = void(uc_engine*, std::uint32_t, void*);
+    Interrupt* const at_interrupt = [](uc_engine*, std::uint32_t number, void* data) {
+      self(data).ending_.number = static_cast<std::uint8_t>(number);
+      self(data).stop(self(data).end_after_interrupt(number));
+    };
+    add(UC_HOOK_INTR, at_interrupt, 1, 0);
+    using Invalid = bool(uc_engine*, uc_mem_type, std::uint64_t, int, std::int64_t, void*);
+    Invalid* const at_invalid = [](uc_engine*, uc_mem_type, std::uint64_t address, int,
+                                   std::int64_t, void* data) {
+      self(data).ending_.address = static_cast<std::uint32_t>(address);
+      return false;
+    };
+    add(UC_HOOK_MEM_INVALID, at_invalid, 1, 0);
+    using In = std::uint32_t(uc_engine*, std::uint32_t, int, void*);
+    In* const at_in = [](uc_engine*, std::uint32_t, int, void* data) {
+      self(data).stop(End::port);
+      return 0U;
+    };
+    add(UC_HOOK_INSN, at_in, 1, 0, UC_X86_INS_IN);
+    using Out = void(uc_engine*, std::uint32_t, int, std::uint32_t, void*);
+    Out* const at_out = [](uc_engine*, std::uint32_t, int, std::uint32_t, void* data) {
+      self(data).stop(End::port);
+    };
+    add(UC_HOOK_INSN, at_out, 1, 0, UC_X86_INS_OUT);
+    using System = void(uc_engine*, void*);
+    System* const at_system = [](uc_engine*, void* data) { self(data).stop(End::system_call); };
+    // Without a hook, Unicorn takes SYSCALL for an instruction without effect.
+    add(UC_HOOK_INSN, at_system, 1, 0, UC_X86_INS_SYSCALL);
+    add(UC_HOOK_INSN, at_system, 1, 0, UC_X86_INS_SYSENTER);
+    if (trace_ != nullptr) add_trace_hooks();
+  }
+
+  void add_trace_hooks() {
+    using Code = void(uc_engine*, std::uint64_t, std::uint32_t, void*);
+    Code* const at_step = [](uc_engine*, std::uint64_t address, std::uint32_t size, void* data) {
+      Emulator& e = self(data);
+      const auto at = static_cast<std::uint32_t>(address) - e.image_.code_at(0);
+      if (at == e.image_.exit) return;
+      if (e.trace_->steps.size() >= max_emulated_steps) return e.stop(End::endless);
+      e.trace_->steps.push_back({at, size, e.read_registers()});
+    };
+    add(UC_HOOK_CODE, at_step, 1, 0);
+    using Memory = void(uc_engine*, uc_mem_type, std::uint64_t, int, std::int64_t, void*);
+    Memory* const at_access = [](uc_engine*, uc_mem_type type, std::uint64_t address, int size,
+                                 std::int64_t, void* data) {
+      Emulator& e = self(data);
+      if (e.trace_->steps.empty()) return;
+      Access access{.step = static_cast<std::uint32_t>(e.trace_->steps.size() - 1),
+                    .address = static_cast<std::uint32_t>(address),
+                    .bytes = static_cast<std::uint32_t>(size),
+                    .is_write = type == UC_MEM_WRITE ? 1U : 0U};
+      const bool is_known = size <= 4 && address <= e.bytes_ - 4;
+      if (access.is_write == 0 && is_known) {
+        access.value = fetch(e.memory_.get() + address, size);
+      }
+      e.trace_->accesses.push_back(access);
+    };
+    add(UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, at_access, 1, 0);
+  }
+
+  const Image& image_;
+  Trace* trace_;
+  std::size_t bytes_;
+  std::unique_ptr<std::uint8_t, Free> memory_;
+  uc_engine* engine_ = nullptr;
+  uc_context* fresh_ = nullptr;
+  Ending ending_;
+  std::uint64_t blocks_ = 0;
+};
+
+}  // namespace
+
+std::string absence_on_unicorn() { return {}; }
+
+std::unique_ptr<Machine> make_emulator(const Image& image, Trace* trace) {
+  return std::make_unique<Emulator>(image, trace);
+}
+
+}  // namespace fixproof::judge

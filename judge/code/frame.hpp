@@ -1,0 +1,68 @@
+/// @file
+/// Calling conventions: where a routine finds its operands and leaves its results.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "judge/code/image.hpp"
+#include "verify/cases/variant.hpp"
+#include "x86model/instruction.hpp"
+
+namespace fixproof::judge {
+
+struct RegisterName {
+  x86model::Register number = x86model::Register::ax;
+  x86model::Size size = x86model::Size::word;
+
+  friend bool operator==(const RegisterName&, const RegisterName&) = default;
+};
+
+std::string name_of(const RegisterName& name);
+int bits_of(const RegisterName& name);
+/// Returns the register of a name in lower case, or nothing for any other text.
+std::optional<RegisterName> register_named(std::string_view text);
+
+/// A value, or a pointer to it, in registers.
+struct Place {
+  std::vector<RegisterName> parts;  ///< the highest bits first
+  bool is_pointer = false;
+};
+
+struct Frame {
+  std::string text;                  ///< as the user wrote it
+  bool on_stack = true;              ///< the operands are on the stack, not in registers
+  bool is_far = false;               ///< the routine ends in RETF, and pointers have segments
+  bool callee_pops = false;          ///< the routine removes its arguments from the stack
+  bool first_is_top = true;          ///< the first argument is pushed last
+  std::vector<Place> in{};           ///< operands; empty if they are on the stack
+  std::vector<Place> out{};          ///< results; empty on the stack or if all are behind pointers
+  std::vector<RegisterName> kept{};  ///< must be preserved, as must the stack pointer
+};
+
+/// Parses `c`, `c-far`, `pascal`, `pascal-far`, `stdcall`, or registers:
+/// `eax, ebx -> eax`, `dx:ax, cx:bx -> dx:ax keeps si, di`, `[si], [bx], [di] ->`.
+/// @param bits 16 or 32, the width of the code
+/// @throws support::UsageError for any other text
+Frame frame_named(std::string_view text, int bits);
+
+/// One operand or result of an operation, as a routine's parameter.
+struct Parameter {
+  int bits = 32;
+  std::size_t numbers = 1;  ///< more than 1 only behind a pointer
+  bool is_pointer = false;  ///< in the stack conventions
+  bool is_result = false;
+  bool is_signed = true;
+};
+
+/// Returns the parameters of a routine that computes an operation: its operands, then its results
+/// behind pointers. A result that is not a parameter is the return value.
+std::vector<Parameter> parameters_of(const cases::Variant& variant);
+
+/// Checks that the frame has a place for each operand and each result of the operation.
+/// @throws support::UsageError naming the place that is missing or too small
+void expect_fit(const Frame& frame, const cases::Variant& variant, int bits);
+
+}  // namespace fixproof::judge

@@ -1,0 +1,139 @@
+#include "judge/code/inspection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "judge/check/cases.hpp"
+#include "judge/code/answering.hpp"
+#include "judge/code/flags.hpp"
+#include "support/usage_error.hpp"
+#include "verify/cases/words.hpp"
+#include "x86model/flags.hpp"
+#include "x86model/text.hpp"
+
+namespace fixproof::judge {
+
+namespace {
+
+bool is_own(const Image& image, std::uint32_t address, std::uint32_t bytes) {
+  const auto inside = [&](std::uint32_t first, std::uint32_t end) {
+    return address >= first && address + bytes <= end;
+  };
+  return inside(image.first, std::max(image.end, image.reserved)) ||
+         inside(image.data_at(image.stack_top - stack_bytes),
+                image.data_at(image.data + data_bytes));
+}
+
+class Inspector {
+ public:
+  explicit Inspector(const Subject& subject) : subject_(subject), listing_(subject.image) {}
+
+  void look_at(std::span<const std::uint32_t> words) {
+    const auto call = traced(subject_, words);
+    if (!call) return;
+    ++inspection_.calls;
+    operands_ = text_of_operands(subject_.variant, words);
+    look_at_flags(call->trace);
+    look_at_memory(call->trace);
+  }
+
+  [[nodiscard]] const Inspection& inspection() const { return inspection_; }
+
+ private:
+  void look_at_flags(const Trace& trace) {
+    // A caller leaves unknown flags.
+    unsigned undefined = x86model::arithmetic_flags;
+    for (const Step& step : trace.steps) {
+      const Line& line = listing_.at(step.at);
+      const FlagEffects effects = flag_effects(line);
+      if ((effects.reads & undefined) != 0 && !inspection_.undefined_flag) {
+        inspection_.undefined_flag = {
+            .operands = operands_, .line = line, .flags = effects.reads & undefined};
+      }
+      undefined = (undefined & ~unsigned{effects.defines}) | effects.undefines;
+    }
+  }
+
+  void look_at_memory(const Trace& trace) {
+    const Image& image = subject_.image;
+    std::map<std::uint32_t, std::uint32_t> code;  // the size of each instruction, by its address
+    for (const Step& step : trace.steps) code[image.code_at(step.at)] = step.bytes;
+    for (const Access& access : trace.accesses) {
+      if (access.step >= trace.steps.size()) continue;
+      const auto finding = [&] {
+        return Inspection::Finding{.operands = operands_,
+                                   .line = listing_.at(trace.steps[access.step].at),
+                                   .address = access.address,
+                                   .is_write = access.is_write != 0};
+      };
+      if (!inspection_.foreign_memory && !is_own(image, access.address, access.bytes)) {
+        inspection_.foreign_memory = finding();
+      }
+      if (access.is_write == 0 || inspection_.changes_own_code) continue;
+      const bool is_code = std::ranges::any_of(code, [&](const auto& instruction) {
+        const auto [at, bytes] = instruction;
+        return access.address < at + bytes && access.address + access.bytes > at;
+      });
+      if (is_code) inspection_.changes_own_code = finding();
+    }
+  }
+
+  const Subject& subject_;
+  Listing listing_;
+  Inspection inspection_;
+  std::string operands_;
+};
+
+std::string changes_text(const Registers& before, const Registers& after, int bits) {
+  std::string text;
+  const x86model::Size size = bits == 16 ? x86model::Size::word : x86model::Size::dword;
+  for (std::size_t r = 0; r < before.general.size(); ++r) {
+    if (before.general.at(r) == after.general.at(r)) continue;
+    // In 16-bit code, the upper half is shown only if it changes.
+    const bool high = (before.general.at(r) >> 16U) != (after.general.at(r) >> 16U);
+    const auto number = static_cast<x86model::Register>(r);
+    const bool wide = bits == 32 || high;
+    text +=
+        fmt::format(" {}={:0{}x}", x86model::name_of(number, wide ? x86model::Size::dword : size),
+                    wide ? after.general.at(r) : after.general.at(r) & 0xFFFFU, wide ? 8 : 4);
+  }
+  if (before.flags != after.flags) text += fmt::format(" fl={:04x}", after.flags);
+  return text;
+}
+
+}  // namespace
+
+Inspection inspect(const Subject& subject) {
+  Inspector inspector(subject);
+  check::GeneratedCases cases(subject.variant, {.cases = calls_to_inspect});
+  std::vector<std::uint32_t> words(words_in(subject.variant));
+  while (cases.next(words)) inspector.look_at(words);
+  return inspector.inspection();
+}
+
+TraceText trace_text(const Subject& subject, std::span<const std::uint32_t> words) {
+  const auto call = traced(subject, words);
+  if (!call) throw support::UsageError("Unicorn ends while it runs this call");
+  Listing listing(subject.image);
+  std::string text;
+  const auto& steps = call->trace.steps;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const std::string changes =
+        i + 1 < steps.size()
+            ? changes_text(steps[i].registers, steps[i + 1].registers, subject.image.bits)
+            : "";
+    const std::string line =
+        fmt::format("{:04x}  {:<30}{}", steps[i].at, listing.at(steps[i].at).text, changes);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  if (call->answer.ending.end == End::returned) {
+    const auto results = std::span(call->answer.words).first(words_out(subject.variant));
+    text +=
+        fmt::format("returns {}\n", cases::hex_words(results, subject.variant.format.word_bits));
+  }
+  return {text, call->answer.ending};
+}
+
+}  // namespace fixproof::judge

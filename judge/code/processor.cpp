@@ -1,0 +1,47 @@
+#include <algorithm>
+
+#include "judge/code/machine.hpp"
+#include "verify/machine_code/host_segment.hpp"
+
+namespace fixproof::judge {
+
+namespace {
+
+class Processor final : public Machine {
+ public:
+  explicit Processor(const Image& image)
+      : segment_(image.bits, image.memory.size()), entry_(image.entry) {
+    std::copy(image.memory.begin(), image.memory.end(), segment_.memory());
+    segment_.put_exit(image.exit);
+  }
+
+  [[nodiscard]] std::uint8_t* memory() const override { return segment_.memory(); }
+  [[nodiscard]] std::uint16_t code_selector() const override { return segment_.code_selector(); }
+  Ending call(Registers& registers) override {
+    machine_code::HostSegment::Registers host{registers.general, registers.flags};
+    const machine_code::CallEnding ending = segment_.call(host, entry_);
+    registers = {host.general, host.flags & observed_flags, host.x87};
+    if (ending == machine_code::CallEnding::returned) return {};
+    const bool is_divide_error = ending == machine_code::CallEnding::divide_error;
+    return {.end = is_divide_error ? End::divide_error : End::fault};
+  }
+
+ private:
+  machine_code::HostSegment segment_;
+  std::uint32_t entry_;
+};
+
+}  // namespace
+
+std::string absence_on_processor(const Image& image) {
+  if (image.code_segment != 0 || image.data_segment != 0) {
+    return "code with several real-mode segments runs on Unicorn only";
+  }
+  return machine_code::HostSegment::absence();
+}
+
+std::unique_ptr<Machine> make_processor(const Image& image) {
+  return std::make_unique<Processor>(image);
+}
+
+}  // namespace fixproof::judge

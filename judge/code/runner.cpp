@@ -1,0 +1,231 @@
+#include "judge/code/runner.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include "judge/code/ndisasm.hpp"
+
+namespace fixproof::judge {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+/// A call that takes longer counts as endless. Most take microseconds, but a busy machine may not
+/// run the process for a second. Unicorn has its own limit, too.
+constexpr milliseconds time_of_case{3000};
+/// A process that claims a step every now and then must end, too.
+constexpr milliseconds time_of_batch{60'000};
+constexpr std::size_t cases_in_flight = 4096;
+/// A traced call has at most 100,000 steps.
+constexpr std::size_t longest_trace = std::size_t{1} << 26U;
+
+/// Unicorn maps 1 GiB for translated code. The rest is for replies.
+constexpr std::size_t memory_for_code = std::size_t{1} << 26U;
+constexpr std::size_t memory_for_unicorn = std::size_t{3} << 29U;
+
+/// @param bytes of whole values
+template <class T>
+void read_as(std::string_view bytes, std::vector<T>& values) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  values.resize(bytes.size() / sizeof(T));
+  // Even for no bytes, memcpy must not get a null pointer.
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+}
+
+/// Reads a value from the beginning of `bytes`, and removes it there.
+template <class T>
+bool read_first(std::string_view& bytes, T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  if (bytes.size() < sizeof value) return false;
+  std::memcpy(&value, bytes.data(), sizeof value);
+  bytes.remove_prefix(sizeof value);
+  return true;
+}
+
+template <class T>
+void append(std::string& to, const T* first, std::size_t count) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the bytes of values
+  to.append(reinterpret_cast<const char*>(first), count * sizeof(T));
+}
+
+std::string bytes_of(std::span<const std::uint32_t> words) {
+  std::string bytes;
+  append(bytes, words.data(), words.size());
+  return bytes;
+}
+
+Answer answer_of(Machine& machine, Call& call, const cases::Variant& variant,
+                 std::span<const std::uint32_t> words, std::uint64_t number) {
+  Registers registers;
+  call.enter(machine.memory(), registers, words, number);
+  Answer answer;
+  answer.ending = machine.call(registers);
+  if (answer.ending.end != End::returned) return answer;
+  answer.broken = static_cast<std::uint16_t>(call.broken(registers));
+  answer.changed = static_cast<std::uint16_t>(call.changed(registers));
+  call.leave(machine.memory(), registers, std::span(answer.words).first(words_out(variant)));
+  return answer;
+}
+
+/// Serves batches: a request has the words of the cases, and the reply has their answers.
+Confined::Serve serve_batches(const Subject& subject, On on, Confined::Steps& steps) {
+  std::shared_ptr<Machine> machine =
+      on == On::processor ? make_processor(subject.image) : make_emulator(subject.image, nullptr);
+  const auto call = std::make_shared<Call>(subject.image, subject.frame, subject.variant,
+                                           machine->code_selector());
+  return [machine, call, &subject, &steps, number = std::uint64_t{0},
+          room = std::vector<std::uint32_t>(),
+          answers = std::vector<Answer>()](std::string_view request) mutable {
+    read_as(request, room);
+    const std::span<const std::uint32_t> words = room;
+    const std::size_t in = words_in(subject.variant);
+    answers.clear();
+    for (std::size_t at = 0; at + in <= words.size(); at += in) {
+      answers.push_back(
+          answer_of(*machine, *call, subject.variant, words.subspan(at, in), number++));
+      ++steps;
+      if (!ended_well(answers.back())) break;
+    }
+    std::string reply;
+    append(reply, answers.data(), answers.size());
+    return reply;
+  };
+}
+
+/// Serves one call: the request has its words, and the reply has the answer, the number of steps,
+/// the steps and the accesses.
+Confined::Serve serve_trace(const Subject& subject) {
+  const auto trace = std::make_shared<Trace>();
+  const std::shared_ptr<Machine> machine = make_emulator(subject.image, trace.get());
+  return [trace, machine, &subject,
+          room = std::vector<std::uint32_t>()](std::string_view request) mutable {
+    Call call(subject.image, subject.frame, subject.variant, machine->code_selector());
+    read_as(request, room);
+    const Answer answer = answer_of(*machine, call, subject.variant, room, 0);
+    std::string reply;
+    append(reply, &answer, 1);
+    const auto steps = static_cast<std::uint32_t>(trace->steps.size());
+    append(reply, &steps, 1);
+    append(reply, trace->steps.data(), trace->steps.size());
+    append(reply, trace->accesses.data(), trace->accesses.size());
+    return reply;
+  };
+}
+
+}  // namespace
+
+bool ended_well(const Answer& answer) {
+  return answer.ending.end == End::returned || answer.ending.end == End::divide_error;
+}
+
+namespace {
+
+bool is_possible(const Answer& answer) {
+  constexpr unsigned registers = (1U << x86model::register_count) - 1;
+  constexpr unsigned broken = registers | Call::sets_direction | Call::fills_x87 |
+                              Call::controls_x87 | Call::moves_segments;
+  return answer.ending.end <= End::fault && (answer.broken & ~broken) == 0 &&
+         (answer.changed & ~registers) == 0;
+}
+
+}  // namespace
+
+std::optional<std::vector<Answer>> read_answers(std::string_view reply, std::size_t asked) {
+  const std::size_t count = reply.size() / sizeof(Answer);
+  if (count == 0 || count > asked || reply.size() % sizeof(Answer) != 0) return std::nullopt;
+  std::vector<Answer> answers;
+  read_as(reply, answers);
+  for (const Answer& answer : answers) {
+    const bool is_last = &answer == &answers.back();
+    if (!is_possible(answer) || (!is_last && !ended_well(answer))) return std::nullopt;
+  }
+  if (count < asked && ended_well(answers.back())) return std::nullopt;
+  return answers;
+}
+
+std::optional<TracedCall> read_trace(std::string_view reply) {
+  TracedCall call;
+  std::uint32_t steps = 0;
+  if (!read_first(reply, call.answer) || !is_possible(call.answer) || !read_first(reply, steps) ||
+      reply.size() / sizeof(Step) < steps) {
+    return std::nullopt;
+  }
+  const std::size_t bytes_of_steps = steps * sizeof(Step);
+  if ((reply.size() - bytes_of_steps) % sizeof(Access) != 0) return std::nullopt;
+  read_as(reply.substr(0, bytes_of_steps), call.trace.steps);
+  for (Step& step : call.trace.steps) {
+    step.registers.has_own_segments = true;  // only after a call; and a false byte is no bool
+    // Unicorn gives an instruction that it does not know a length of billions.
+    step.bytes = std::min(step.bytes, longest_instruction);
+  }
+  read_as(reply.substr(bytes_of_steps), call.trace.accesses);
+  for (const Access& access : call.trace.accesses) {
+    constexpr std::uint32_t widest_access = 64;
+    if (access.step >= steps || access.bytes > widest_access) return std::nullopt;
+  }
+  return call;
+}
+
+Runner::Runner(const Subject& subject, Start start) : subject_(subject), start_(std::move(start)) {}
+
+Runner::Runner(const Subject& subject, On machine)
+    : Runner(subject, [&subject, machine]() -> std::unique_ptr<Server> {
+        const auto prepare = [&subject, machine](Confined::Steps& steps) {
+          return serve_batches(subject, machine, steps);
+        };
+        const bool is_native = machine == On::processor;
+        return std::make_unique<Confined>(prepare, is_native ? memory_for_code : memory_for_unicorn,
+                                          is_native ? Calls::fewest : Calls::emulator);
+      }) {}
+
+Runner::Batch Runner::ask(std::span<const std::uint32_t> words) {
+  if (!server_ || !server_->is_alive()) server_ = start_();
+  const std::size_t cases = words.size() / words_in(subject_.variant);
+  const Reply reply = server_->ask(bytes_of(words), {.step = time_of_case,
+                                                     .whole = time_of_batch,
+                                                     .steps = cases,
+                                                     .bytes = cases * sizeof(Answer)});
+  downfall_ = reply.downfall != Downfall::none ? reply.downfall : downfall_;
+  if (reply.downfall != Downfall::none) return {reply.downfall};
+  if (auto answers = read_answers(reply.bytes, cases)) return {.answers = std::move(*answers)};
+  server_.reset();
+  downfall_ = Downfall::false_reply;
+  return {downfall_};
+}
+
+std::vector<Answer> Runner::answers(std::span<const std::uint32_t> words) {
+  const std::size_t in = words_in(subject_.variant);
+  std::vector<Answer> all;
+  for (std::size_t at = 0; at < words.size();) {
+    const auto some = words.subspan(at, std::min(cases_in_flight * in, words.size() - at));
+    Batch batch = ask(some);
+    if (batch.downfall != Downfall::none) {
+      Answer dead;
+      dead.ending.end = batch.downfall == Downfall::out_of_time ? End::endless : End::fault;
+      // The answers before that case died with the process: ask again.
+      const std::size_t before =
+          std::min<std::size_t>(server_ ? server_->steps() : 0, some.size() / in - 1);
+      if (before > 0) batch = ask(some.first(before * in));
+      if (batch.answers.empty() || ended_well(batch.answers.back())) batch.answers.push_back(dead);
+    }
+    all.insert(all.end(), batch.answers.begin(), batch.answers.end());
+    if (!ended_well(all.back())) break;
+    at += some.size();
+  }
+  return all;
+}
+
+std::optional<TracedCall> traced(const Subject& subject, std::span<const std::uint32_t> words) {
+  Confined child([&subject](Confined::Steps&) { return serve_trace(subject); }, memory_for_unicorn,
+                 Calls::emulator);
+  const Reply reply = child.ask(
+      bytes_of(words),
+      {.step = 5 * time_of_case, .whole = 5 * time_of_case, .steps = 0, .bytes = longest_trace});
+  return read_trace(reply.bytes);
+}
+
+}  // namespace fixproof::judge

@@ -1,0 +1,91 @@
+/// @file
+/// Runs a user's routine for many cases, in a process of its own.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "judge/code/confined.hpp"
+#include "judge/code/machine.hpp"
+
+namespace fixproof::judge {
+
+/// A routine, how to call it, and what it should compute. It must outlive everything that works on
+/// it.
+struct Subject {
+  Image image;
+  Frame frame;
+  cases::Variant variant;
+};
+
+/// The outcome of one call.
+struct Answer {
+  Ending ending{};
+  std::uint16_t broken = 0;                                 ///< see Call::broken()
+  std::uint16_t changed = 0;                                ///< see Call::changed()
+  std::array<std::uint32_t, cases::max_words_out> words{};  ///< valid if it returned
+};
+
+/// Tells whether a call returned or raised #DE.
+bool ended_well(const Answer& answer);
+
+enum class On { processor, unicorn };
+
+/// Answers cases on one machine.
+class Runner {
+ public:
+  using Start = std::function<std::unique_ptr<Server>()>;
+
+  Runner(const Subject& subject, On machine);
+  /// Asks servers of another kind: for tests.
+  Runner(const Subject& subject, Start start);
+
+  /// Answers the cases in `words`, words_in(variant) words each: at most one answer for each case,
+  /// in order. Stops after a case that neither returns nor raises #DE, and only then has fewer
+  /// answers. If the process dies at a case, that case gets End::fault, or End::endless if it took
+  /// too long.
+  /// @throws support::Stopped; std::system_error if the system provides no process
+  std::vector<Answer> answers(std::span<const std::uint32_t> words);
+  /// Returns why the process last died, or Downfall::none if it never did.
+  [[nodiscard]] Downfall downfall() const { return downfall_; }
+
+ private:
+  struct Batch {
+    Downfall downfall = Downfall::none;
+    std::vector<Answer> answers{};
+  };
+  Batch ask(std::span<const std::uint32_t> words);
+
+  const Subject& subject_;
+  Start start_;
+  std::unique_ptr<Server> server_;
+  Downfall downfall_ = Downfall::none;
+};
+
+/// A call, step by step.
+struct TracedCall {
+  Answer answer;
+  Trace trace;
+};
+
+/// Reads a reply to a batch of cases. Returns nothing if it is false: if it has another length than
+/// some answers, no answer, more than `asked`, or fewer without a call that is stuck; if a stuck
+/// call is not the last; or if an ending or a register is none.
+std::optional<std::vector<Answer>> read_answers(std::string_view reply, std::size_t asked);
+
+/// Reads a traced call. Returns nothing if it is false: if it has another length than its steps and
+/// accesses, an ending or a register that is none, or an access of no step or of too many bytes.
+std::optional<TracedCall> read_trace(std::string_view reply);
+
+/// Traces one call on Unicorn. Returns nothing if its process dies, which only a defect of Unicorn
+/// can cause.
+/// @throws support::Stopped
+std::optional<TracedCall> traced(const Subject& subject, std::span<const std::uint32_t> words);
+
+}  // namespace fixproof::judge

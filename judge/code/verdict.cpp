@@ -1,0 +1,210 @@
+#include "judge/code/verdict.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "judge/check/verdict_text.hpp"
+#include "judge/code/answering.hpp"
+#include "oracle/exact.hpp"
+#include "verify/cases/words.hpp"
+#include "verify/shrink.hpp"
+
+namespace fixproof::judge {
+
+namespace {
+
+/// The number of cases that find the rounding. All cases then judge by it.
+constexpr std::uint64_t cases_for_guess = 20'000;
+/// The same for results of several words, for which each rule takes longer.
+constexpr std::uint64_t cases_for_choice = 2000;
+
+bool is_right(const check::Rules& rules, const check::JudgedCase& one) {
+  return check::keeps(rules, one.operands(), one.said);
+}
+
+/// Returns a measure of a case that grows with the bits of its operands.
+int size_of(const cases::Variant& v, std::span<const std::uint32_t> words) {
+  const std::uint64_t sign = std::uint64_t{1} << (v.format.word_bits - 1);
+  int size = 0;
+  if (v.format.word_bits > 32) {
+    for (const std::uint32_t word : words) size += std::popcount(word);
+    return size;
+  }
+  for (const std::uint32_t word : words) {
+    const bool negative = v.format.is_signed && (word & sign) != 0;
+    const std::uint64_t magnitude = negative ? 2 * sign - word : word;
+    size += 2 * static_cast<int>(std::bit_width(magnitude)) + (negative ? 1 : 0);
+  }
+  return size;
+}
+
+/// Returns the simplest wrong case that shrinking a wrong case finds. Returns nothing if the case
+/// is not wrong again.
+std::optional<check::JudgedCase> smallest_from(const Subject& subject, const check::Rules& rules,
+                                               On machine, std::vector<std::uint32_t> words) {
+  Runner runner(subject, machine);
+  const auto judged = [&](std::span<const std::uint32_t> tried) {
+    check::JudgedCase one = judged_case(subject.variant, tried, runner.answers(tried).front());
+    one.read_by(rules);
+    return one;
+  };
+  if (is_right(rules, judged(words))) return std::nullopt;
+  if (subject.variant.format.word_bits <= 32) {
+    words = verify::shrink(
+        std::move(words), subject.variant.format.word_bits,
+        [&](std::span<const std::uint32_t> tried) { return !is_right(rules, judged(tried)); });
+  }
+  check::JudgedCase smallest = judged(words);
+  return is_right(rules, smallest) ? std::nullopt : std::optional(std::move(smallest));
+}
+
+struct Judging {
+  const Subject& subject;
+  const VerdictOptions& options;
+  Verdict verdict{};
+  std::vector<std::uint32_t> smallest{};
+  int smallest_size = 0;
+
+  void run() {
+    run_cases(
+        subject, options, verdict,
+        [this] {
+          verdict.judge.emplace(verdict.rules, options.shown);
+          smallest.clear();
+        },
+        [this](std::span<const std::uint32_t> words, const Answer& answer,
+               std::string_view origin) {
+          check::JudgedCase one = judged_case(subject.variant, words, answer);
+          one.number = verdict.judge->cases() + 1;
+          one.origin = origin;
+          const std::uint64_t before = verdict.judge->wrong().count();
+          verdict.judge->add(one);
+          if (verdict.judge->wrong().count() == before) return;
+          const int size = size_of(subject.variant, words);
+          if (!smallest.empty() && size >= smallest_size) return;
+          smallest.assign(words.begin(), words.end());
+          smallest_size = size;
+        });
+  }
+};
+
+}  // namespace
+
+check::JudgedCase judged_case(const cases::Variant& variant, std::span<const std::uint32_t> words,
+                              const Answer& answer) {
+  check::JudgedCase one;
+  if (check::is_judged_by_value(variant.operation)) {
+    std::string line;
+    cases::append_operands(line, variant, words);
+    one.converted = check::parse_converted(line, variant);
+  } else {
+    check::join_words(words, variant.format,
+                      std::span(one.words).first(cases::words_in(variant.operation)));
+  }
+  if (answer.ending.end == End::returned) {
+    std::array<std::uint64_t, 1> said{};
+    check::join_words(answer.words, variant.format, said);
+    one.said = said[0];
+  }
+  return one;
+}
+
+Verdict judge_routine(const Subject& subject, const VerdictOptions& options) {
+  VerdictOptions used = options;
+  if (options.rounding_is_open) {
+    used.cases.cases = std::min(options.cases.cases.value_or(cases_for_guess), cases_for_guess);
+    used.progress = {};
+    Judging guess{subject, used};
+    guess.verdict.rules = options.rules;
+    guess.run();
+    if (guess.verdict.stuck || guess.verdict.state) return std::move(guess.verdict);
+    used = options;
+    const auto best = guess.verdict.judge->trial().rounding().rules.front();
+    used.rules.rounding = check::roundings()[best];
+    // A program's own rule tells more than a rounding with exceptions, unless the user says what to
+    // expect of an overflow or without a result.
+    const auto ports = guess.verdict.judge->ports().followed();
+    const bool is_open =
+        used.rules.overflow == check::Overflow::any && used.rules.no_result == check::NoResult::any;
+    if (is_open && guess.verdict.judge->trial().rounding().first.exceptions.count() > 0 &&
+        !ports.empty()) {
+      used.rules = check::rules_of(*ports.front(), used.rules.format);
+    }
+  }
+  Judging judging{subject, used};
+  judging.verdict.rules = used.rules;
+  judging.run();
+  Verdict& verdict = judging.verdict;
+  if (!judging.smallest.empty()) {
+    verdict.smallest = smallest_from(subject, verdict.rules, verdict.machine, judging.smallest);
+  }
+  return std::move(judging.verdict);
+}
+
+namespace {
+
+std::vector<Candidate> candidates_for(cases::Operation operation) {
+  std::vector<Candidate> all;
+  if (operation == cases::Operation::cossin) {
+    all.push_back({"the nearest words", [](auto in, auto out) {
+                     const auto turn = oracle::cos_sin(static_cast<std::int16_t>(in[0] & 0xFFFFU));
+                     out[0] = turn.cos;
+                     out[1] = turn.sin;
+                   }});
+    return all;
+  }
+  for (const oracle::Rounding rounding : check::roundings()) {
+    const std::string name(check::name_of(rounding));
+    all.push_back({"each product " + name, [rounding](auto in, auto out) {
+                     const auto result = oracle::xform_vec(
+                         in.template first<12>(), in.template subspan<12, 3>(), rounding, 16);
+                     std::copy(result.begin(), result.end(), out.begin());
+                   }});
+    all.push_back({"each sum " + name + " once", [rounding](auto in, auto out) {
+                     const std::array point{in[12], in[13], in[14], std::uint32_t{1} << 16U};
+                     for (std::size_t row = 0; row < 3; ++row) {
+                       out[row] = oracle::dot(in.subspan(4 * row, 4), point, rounding, 16);
+                     }
+                   }});
+  }
+  return all;
+}
+
+}  // namespace
+
+WholeVerdict judge_whole(const Subject& subject, const VerdictOptions& options) {
+  std::vector<std::uint32_t> expected(words_out(subject.variant));
+  const auto judged = [&](const VerdictOptions& use, const std::vector<Candidate>& candidates) {
+    WholeVerdict whole;
+    run_cases(
+        subject, use, whole.verdict, [&] { whole.candidates = candidates; },
+        [&](std::span<const std::uint32_t> words, const Answer& answer, std::string_view) {
+          for (Candidate& candidate : whole.candidates) {
+            candidate.results(words, expected);
+            const bool kept = answer.ending.end == End::returned &&
+                              std::equal(expected.begin(), expected.end(), answer.words.begin());
+            if (kept || candidate.exceptions++ > 0) continue;
+            candidate.first_exception =
+                Incident{.words = {words.begin(), words.end()},
+                         .operands = text_of_operands(subject.variant, words),
+                         .ending = answer.ending};
+          }
+        });
+    std::ranges::stable_sort(whole.candidates, {}, &Candidate::exceptions);
+    return whole;
+  };
+  VerdictOptions guess = options;
+  guess.cases.cases = std::min(options.cases.cases.value_or(cases_for_choice), cases_for_choice);
+  guess.progress = {};
+  WholeVerdict first = judged(guess, candidates_for(subject.variant.operation));
+  if (first.verdict.stuck || first.verdict.state) return first;
+  const std::uint64_t least = first.candidates.front().exceptions;
+  std::vector<Candidate> best;
+  for (const Candidate& candidate : first.candidates) {
+    if (candidate.exceptions == least) best.push_back({candidate.name, candidate.results});
+  }
+  return judged(options, best);
+}
+
+}  // namespace fixproof::judge

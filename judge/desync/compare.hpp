@@ -1,0 +1,62 @@
+/// @file
+/// Finds the first operation in which two runs differ.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "judge/desync/log_file.hpp"
+#include "judge/desync/values.hpp"
+
+namespace fixproof::desync {
+
+/// What differs first.
+enum class Verdict {
+  equal,       ///< Nothing, as far as both logs reach.
+  block,       ///< A block whose records are not in both logs.
+  input,       ///< A number that enters: from raw bits, text, an integer or floating point.
+  operands,    ///< The operands of the same operation: the states differ.
+  arithmetic,  ///< The results of the same operation with the same operands.
+  order,       ///< The order of two operations on one value.
+  type,        ///< The type of the numbers: its format or its rules.
+  path,        ///< The operations themselves: the programs took different branches.
+  ended,       ///< Nothing before the block in which one run ended, and nothing in that block if
+               ///< both logs have its records.
+};
+
+/// The place of the difference on one side.
+struct Place {
+  word block = 0;
+  Entry entry;
+  std::vector<Record> records;       ///< Of the block and the next one, if the log has them.
+  bool ends_run = false;             ///< Whether the run ends after these records.
+  std::optional<std::size_t> index;  ///< Of the record that differs, unless the block ends first.
+};
+
+/// What compare() finds.
+struct Comparison {
+  Verdict verdict = Verdict::equal;
+  word blocks = 0;      ///< Blocks that both logs have; with rollback, frames.
+  word operations = 0;  ///< Number of equal operations, if none differs.
+  word steps = 0;       ///< Number of comparisons.
+  Place a;
+  Place b;
+};
+
+/// Compares two runs from their beginning. It takes a logarithmic number of steps, because the
+/// entry of a block has a hash of everything up to its end.
+///
+/// Compilers choose which operand of an operator they compute first. So the same operations in a
+/// different order, with the same operands and results, are no difference. If a block ends between
+/// two such operations, its hash differs, and the hashes of later blocks are equal again.
+Comparison compare(LogFile& a, LogFile& b);
+
+/// Compares the last simulation of every frame, in the order of the frames, for programs that go
+/// back and simulate frames again. Stops after the last frame that both runs confirmed, if both
+/// confirmed any. Reads all entries.
+/// @throws support::UsageError if a log has no frames
+Comparison compare_last_frames(LogFile& a, LogFile& b);
+
+}  // namespace fixproof::desync

@@ -1,8 +1,0 @@
-// Replaces the table if NASM is not installed.
-#include "machine_code/table.hpp"
-
-namespace fixproof::machine_code {
-
-std::span<const Assembled> assembled_programs() { return {}; }
-
-}  // namespace fixproof::machine_code

@@ -1,0 +1,140 @@
+/// Tests quotients on every path against the operator of the number type, with every length and
+/// alignment, and quotients and roots around the points where their rounding changes, against exact
+/// integers in every rounding mode of the processor. One file, so that each divide is compiled
+/// once.
+#include "tests/fixed/batch/elements.hpp"
+#include "tests/fixed/exact.hpp"
+#include "tests/fixed/types.hpp"
+#include "tests/support/rounding_mode.hpp"
+#include "tests/support/test.hpp"
+
+namespace batch_test {
+namespace {
+
+/// Stored integers of operands.
+struct Pair {
+  Word n, d;
+};
+
+/// Operands whose quotients are nearly ties or integers. They depend on the format alone.
+template <class Raw, int fraction_bits>
+std::vector<Pair> near_misses() {
+  std::vector<Pair> pairs;
+  for (const auto& [n, d] : exact::near_misses<fixproof::number<Raw, fraction_bits>>()) {
+    pairs.push_back({n.raw(), d.raw()});
+  }
+  return pairs;
+}
+
+/// Divides of one type.
+struct Division {
+  Operation divide;
+  std::vector<Pair> (*pairs)();
+  /// Nothing if it throws.
+  std::optional<Word> (*exact)(Word n, Word d);
+
+  friend std::ostream& operator<<(std::ostream& out, const Division& x) {
+    return out << x.divide.type;
+  }
+};
+constexpr auto division_of = []<class N>(std::type_identity<N> number) -> Division {
+  return {divide(number), near_misses<typename N::raw_type, N::fraction_bits>, [](Word n, Word d) {
+            const auto want = exact::quotient(number_of<N>(n), number_of<N>(d));
+            return want.throws ? std::nullopt : std::optional<Word>(want.raw);
+          }};
+};
+
+class Quotients : public testing::TestWithParam<Division> {};
+INSTANTIATE_TEST_SUITE_P(OfEachType, Quotients,
+                         testing::ValuesIn(of_each(fixproof::dividing_types(), division_of)));
+
+TEST_P(Quotients, EveryLength) { check_every_length(GetParam().divide); }
+
+TEST_P(Quotients, AreExactInEveryRoundingMode) {
+  const Operation& divide = GetParam().divide;
+  Words n;
+  Words d;
+  std::vector<std::optional<Word>> want;
+  for (const Pair& pair : GetParam().pairs()) {
+    n.push_back(pair.n);
+    d.push_back(pair.d);
+    want.push_back(GetParam().exact(pair.n, pair.d));
+  }
+  const std::size_t count = n.size();
+  ASSERT_GT(count, 17'000U);
+  const Column ns(divide.type, n);
+  const Column ds(divide.type, d);
+  for (const auto path : paths()) {
+    for (const int mode : RoundingMode::all) {
+      Column out(divide.type, count);
+      Marked marked(count);
+      const auto how = marked.how(path);
+      {
+        const RoundingMode set(mode);
+        divide.many(ns.at(0), ds.at(0), nullptr, out.at(0), count, how);
+      }
+      for (std::size_t i = 0; i < count; ++i) {
+        if (want[i] ? out[i] == *want[i] : how.marks[i]) continue;
+        FAIL() << "raw " << n[i] << " / raw " << d[i] << " is raw " << out[i]
+               << (how.marks[i] ? ", marked," : "") << " instead of "
+               << (want[i] ? "raw " + std::to_string(*want[i]) : "an error") << ", path "
+               << static_cast<int>(path) << ", mode " << mode;
+      }
+    }
+  }
+}
+
+/// Checks every path in every rounding mode of the processor.
+void check_roots(const Operation& root, const Words& x, const Words& want) {
+  const Column from(root.type, x);
+  for (const auto path : paths()) {
+    for (const int mode : RoundingMode::all) {
+      Column out(root.type, x.size());
+      {
+        const RoundingMode set(mode);
+        root.many(from.at(0), nullptr, nullptr, out.at(0), x.size(), {path, {}});
+      }
+      ASSERT_TRUE(same(out, Column(root.type, want)))
+          << "path " << static_cast<int>(path) << ", mode " << mode;
+    }
+  }
+}
+
+// The root of r (r + 1) lies nearest to r + 1/2, and the root of a square is exact.
+TEST(Roots, AreNearestInEveryRoundingMode) {
+  Words x;
+  Words want;
+  std::mt19937_64 random(22);
+  while (x.size() < 3000) {
+    const auto r = static_cast<std::int64_t>(random() % 11863283);
+    // Chooses raw so that raw * 2^16 is near r^2 or r (r + 1).
+    for (const std::int64_t target : {r * r, r * (r + 1)}) {
+      for (const int step : {0, 1}) {
+        const std::int64_t raw = target / 65536 + step;
+        if (raw > std::numeric_limits<std::int32_t>::max()) continue;
+        x.push_back(raw);
+        auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(raw) * 65536)) - 2;
+        while ((2 * root + 1) * (2 * root + 1) < 4 * raw * 65536) ++root;
+        want.push_back(std::max<std::int64_t>(root, 0));
+      }
+    }
+  }
+  check_roots(square_root(std::type_identity<fixproof::q16_16>()), x, want);
+}
+
+TEST(Roots, OfEvery88WordInEveryRoundingMode) {
+  Words x;
+  Words want;
+  int root = 0;
+  for (int raw = -32768; raw <= 32767; ++raw) {
+    x.push_back(raw);
+    // Finds the nearest root: the first one whose upper half-way point, squared, exceeds the
+    // operand.
+    while (raw > 0 && (2 * root + 1) * (2 * root + 1) < 4 * 256 * raw) ++root;
+    want.push_back(root);
+  }
+  check_roots(square_root(std::type_identity<fixproof::q8_8>()), x, want);
+}
+
+}  // namespace
+}  // namespace batch_test

@@ -1,0 +1,35 @@
+/// @file
+/// Cases of conversions: doubles, words of another format, and decimal texts.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "verify/cases/draw.hpp"
+#include "verify/cases/streams.hpp"
+#include "verify/cases/variant.hpp"
+
+namespace fixproof::cases {
+
+/// Tells whether the conversion has cases in a stream. A conversion that drops no fraction bit has
+/// no ties.
+bool has_conversion_stream(Stream stream, const Variant& variant);
+
+/// The number of boundary cases of a conversion.
+std::uint64_t conversion_lattice_size(const Variant& variant);
+
+/// Writes boundary case `number` to words_in(variant) words: the words of boundary_lattice(),
+/// doubles with every exponent, or decimal texts at and next to the words of boundary_lattice().
+void conversion_lattice_case(const Variant& variant, std::uint64_t number,
+                             std::span<std::uint32_t> words);
+
+/// Writes a random case of a stream.
+void conversion_case(Stream stream, Draw& draw, const Variant& variant,
+                     std::span<std::uint32_t> words);
+
+/// Appends the decimal text that the words of a case of from_decimal stand for.
+void append_decimal_operand(std::string& to, std::span<const std::uint32_t> words,
+                            const Format& format);
+
+}  // namespace fixproof::cases

@@ -1,0 +1,360 @@
+#include "verify/cases/streams.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <stdexcept>
+
+#include "verify/cases/conversion_makers.hpp"
+#include "verify/cases/draw.hpp"
+#include "verify/cases/format_makers.hpp"
+#include "verify/cases/function_makers.hpp"
+#include "verify/cases/stream_makers.hpp"
+
+namespace fixproof::cases {
+
+namespace {
+
+constexpr std::array<std::string_view, 27> stream_names{"uniform",
+                                                        "scaled",
+                                                        "lattice",
+                                                        "every",
+                                                        "product_ties",
+                                                        "near_product_ties",
+                                                        "quotient_ties",
+                                                        "near_quotient_ties",
+                                                        "whole_divisor_ties",
+                                                        "large_quotients",
+                                                        "small_divisors",
+                                                        "fault_edge",
+                                                        "rotations",
+                                                        "axes",
+                                                        "lattice_words",
+                                                        "transform_ties",
+                                                        "root_ties",
+                                                        "quarter_turns",
+                                                        "hard_angles",
+                                                        "value_ties",
+                                                        "near_value_ties",
+                                                        "half_multiples",
+                                                        "ratio_ties",
+                                                        "near_ratio_ties",
+                                                        "large_ratios",
+                                                        "whole_lengths",
+                                                        "near_length_ties"};
+
+[[noreturn]] void refuse(Stream stream, const Variant& variant) {
+  throw std::invalid_argument(
+      fmt::format("stream {} has no cases of {}", name_of(stream), name_of(variant.operation)));
+}
+
+template <class Make>
+void each_case(std::size_t arity, std::uint64_t key, std::uint64_t first,
+               std::span<std::uint32_t> words, Make make) {
+  for (std::size_t i = 0; i * arity < words.size(); ++i) {
+    Draw draw(key, first + i);
+    make(draw, words.subspan(i * arity, arity));
+  }
+}
+
+template <class Make>
+void each_pair(std::uint64_t key, std::uint64_t first, std::span<std::uint32_t> words,
+               const Format& format, Make make) {
+  each_case(2, key, first, words, [&](Draw& draw, std::span<std::uint32_t> one_case) {
+    const Pair pair = make(draw, format);
+    one_case[0] = format.word(pair.first);
+    one_case[1] = format.word(pair.second);
+  });
+}
+
+/// Stores a number of the format.
+void store(std::span<std::uint32_t> words, std::size_t number, std::uint64_t value,
+           const Format& format) {
+  const std::size_t each = words_per_number(format);
+  words[number * each] = static_cast<std::uint32_t>(value);
+  if (each == 2) words[2 * number + 1] = static_cast<std::uint32_t>(value >> 32U);
+}
+
+void count_lattice(std::size_t arity, const Format& format, std::uint64_t first,
+                   std::span<std::uint32_t> words) {
+  const auto values = boundary_lattice(format.word_bits);
+  const std::size_t cases = words.size() / (arity * words_per_number(format));
+  for (std::size_t i = 0; i < cases; ++i) {
+    std::uint64_t left = first + i;
+    for (std::size_t operand = arity; operand-- > 0; left /= values.size()) {
+      store(words, i * arity + operand, values[left % values.size()], format);
+    }
+  }
+}
+
+void count_every(std::size_t arity, const Format& format, std::uint64_t first,
+                 std::span<std::uint32_t> words) {
+  for (std::size_t i = 0; i * arity < words.size(); ++i) {
+    std::uint64_t left = first + i;
+    for (std::size_t operand = arity; operand-- > 0; left >>= format.word_bits) {
+      words[i * arity + operand] = format.word(static_cast<std::int64_t>(left));
+    }
+  }
+}
+
+/// Writes each hard angle, then its negative.
+void count_hard_angles(const Format& format, std::uint64_t first, std::span<std::uint32_t> words) {
+  const auto angles = hard_angles();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::uint64_t number = first + i;
+    const std::int64_t angle = angles[number / 2 % angles.size()];
+    words[i] = format.word(number % 2 == 0 ? angle : -angle);
+  }
+}
+
+bool is_stream_of(Stream stream, const Variant& variant) {
+  const Operation operation = variant.operation;
+  if (is_conversion(operation)) return has_conversion_stream(stream, variant);
+  const std::size_t arity = words_in(operation);
+  switch (stream) {
+    case Stream::uniform:
+    case Stream::scaled:
+      return true;
+    case Stream::lattice:
+      return arity <= 2;
+    case Stream::every:
+      return arity <= 3;
+    case Stream::product_ties:
+    case Stream::near_product_ties:
+      return operation == Operation::mul;
+    case Stream::quotient_ties:
+    case Stream::near_quotient_ties:
+    case Stream::large_quotients:
+    case Stream::small_divisors:
+    case Stream::whole_divisor_ties:
+    case Stream::fault_edge:
+      return operation == Operation::div;
+    case Stream::rotations:
+    case Stream::axes:
+    case Stream::transform_ties:
+      return arity > 3;
+    case Stream::lattice_words:
+      return arity > 2;
+    case Stream::half_multiples:
+      return operation == Operation::fmod || operation == Operation::remainder;
+    case Stream::ratio_ties:
+    case Stream::near_ratio_ties:
+    case Stream::large_ratios:
+      return operation == Operation::mul_div;
+    case Stream::whole_lengths:
+    case Stream::near_length_ties:
+      return operation == Operation::hypot3;
+    case Stream::root_ties:
+      return operation == Operation::sqrt;
+    case Stream::value_ties:
+    case Stream::near_value_ties:
+      return false;
+    case Stream::quarter_turns:
+    case Stream::hard_angles:
+      break;
+  }
+  return operation == Operation::sin || operation == Operation::cos;
+}
+
+}  // namespace
+
+std::string_view name_of(Stream stream) {
+  return stream_names.at(static_cast<std::size_t>(stream));
+}
+
+std::vector<std::uint64_t> boundary_lattice(int word_bits) {
+  const std::uint64_t all_ones = ~std::uint64_t{0} >> (64 - word_bits);
+  std::set<std::uint64_t> values;
+  const auto add = [&](std::uint64_t value) {
+    values.insert(value & all_ones);
+    values.insert((0 - value) & all_ones);
+  };
+  for (const std::uint64_t small : {0U, 1U, 2U, 3U}) add(small);
+  for (int bit = 0; bit < word_bits; ++bit) {
+    const std::uint64_t power = std::uint64_t{1} << bit;
+    add(power - 1);
+    add(power);
+    add(power + 1);
+  }
+  for (const std::uint64_t pattern :
+       {0x5555555555555555U, 0x3333333333333333U, 0x0f0f0f0f0f0f0f0fU, 0x00ff00ff00ff00ffU}) {
+    add(pattern);
+    add(~pattern);
+  }
+  return {values.begin(), values.end()};
+}
+
+std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant) {
+  if (stream == Stream::hard_angles) return 2 * hard_angles().size();
+  if (stream != Stream::lattice && stream != Stream::every) return std::nullopt;
+  const std::size_t arity = words_in(variant.operation);
+  const int bits = operand_bits(variant);
+  if (stream == Stream::lattice && is_conversion(variant.operation)) {
+    return conversion_lattice_size(variant);
+  }
+  if (stream == Stream::lattice) {
+    if (arity > 2) refuse(stream, variant);
+    const std::uint64_t values = boundary_lattice(bits).size();
+    return arity == 1 ? values : values * values;
+  }
+  if (arity * static_cast<std::size_t>(bits) > 32) refuse(stream, variant);
+  return std::uint64_t{1} << (arity * static_cast<std::size_t>(bits));
+}
+
+namespace {
+
+/// Makes the cases of a format that no routine has.
+void make_cases_in(Stream stream, const Variant& variant, std::uint64_t key, std::uint64_t first,
+                   std::span<std::uint32_t> words) {
+  const Format& format = variant.format;
+  const std::size_t arity = words_in(variant.operation);
+  const auto numbers = [&](auto make) {
+    each_case(words_in(variant), key, first, words, [&](Draw& draw, auto one_case) {
+      for (std::size_t i = 0; i < arity; ++i) store(one_case, i, make(draw, format), format);
+    });
+  };
+  const auto pairs = [&](auto make) {
+    each_case(words_in(variant), key, first, words, [&](Draw& draw, auto one_case) {
+      const WordPair pair = make(draw, format);
+      store(one_case, 0, pair.first, format);
+      store(one_case, 1, pair.second, format);
+    });
+  };
+  const auto triples = [&](auto make) {
+    each_case(words_in(variant), key, first, words, [&](Draw& draw, auto one_case) {
+      const WordTriple triple = make(draw, format);
+      for (std::size_t i = 0; i < triple.size(); ++i) store(one_case, i, triple.at(i), format);
+    });
+  };
+  switch (stream) {
+    case Stream::uniform:
+      return numbers(any_word);
+    case Stream::scaled:
+      return numbers(any_width);
+    case Stream::lattice:
+      return count_lattice(arity, format, first, words);
+    case Stream::every:
+      return count_every(arity, format, first, words);
+    case Stream::product_ties:
+      return pairs(product_tie_in);
+    case Stream::near_product_ties:
+      return pairs(near_product_tie_in);
+    case Stream::quotient_ties:
+      return pairs(quotient_tie_in);
+    case Stream::near_quotient_ties:
+      return pairs(near_quotient_tie_in);
+    case Stream::large_quotients:
+      return pairs(large_quotient_in);
+    case Stream::small_divisors:
+      return pairs(small_divisor_in);
+    case Stream::root_ties:
+      return numbers(root_tie_in);
+    case Stream::lattice_words:
+      return numbers([values = boundary_lattice(format.word_bits)](Draw& draw, const Format&) {
+        return values[draw.below(values.size())];
+      });
+    case Stream::half_multiples:
+      return pairs(half_multiple);
+    case Stream::ratio_ties:
+      return triples(ratio_tie);
+    case Stream::near_ratio_ties:
+      return triples(near_ratio_tie);
+    case Stream::large_ratios:
+      return triples(large_ratio);
+    case Stream::whole_lengths:
+      return triples(whole_length);
+    case Stream::near_length_ties:
+      return triples(near_length_tie);
+    default:
+      refuse(stream, variant);
+  }
+}
+
+void make_conversion_cases(Stream stream, const Variant& variant, std::uint64_t key,
+                           std::uint64_t first, std::span<std::uint32_t> words) {
+  const std::size_t each = words_in(variant);
+  if (stream == Stream::every) return count_every(1, operand_format(variant), first, words);
+  if (stream == Stream::lattice) {
+    for (std::size_t i = 0; i * each < words.size(); ++i) {
+      conversion_lattice_case(variant, first + i, words.subspan(i * each, each));
+    }
+    return;
+  }
+  each_case(each, key, first, words, [&](Draw& draw, std::span<std::uint32_t> one_case) {
+    conversion_case(stream, draw, variant, one_case);
+  });
+}
+
+}  // namespace
+
+void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::uint64_t first,
+                std::span<std::uint32_t> words) {
+  const Operation operation = variant.operation;
+  if (!is_stream_of(stream, variant)) refuse(stream, variant);
+  // The key leaves out the variant's rules, so all variants of an operation get the same cases.
+  const std::uint64_t key = mix(seed) + 0x100U * static_cast<std::uint64_t>(operation) +
+                            static_cast<std::uint64_t>(stream);
+  if (is_conversion(operation)) {
+    return make_conversion_cases(stream, variant, key, first, words);
+  }
+  if (!has_routine_format(variant)) return make_cases_in(stream, variant, key, first, words);
+  const Format format{.word_bits = operand_bits(variant),
+                      .fraction_bits = variant.format.fraction_bits};
+  const std::size_t arity = words_in(operation);
+  const auto pairs = [&](auto make) { each_pair(key, first, words, format, make); };
+  const auto cases = [&](auto make) { each_case(arity, key, first, words, make); };
+  switch (stream) {
+    case Stream::uniform:
+      return cases([&](Draw& draw, auto one_case) {
+        for (auto& word : one_case)
+          word = format.word(static_cast<std::int64_t>(draw.bits() >> 1U));
+      });
+    case Stream::scaled:
+      return cases([&](Draw& draw, auto one_case) {
+        for (auto& word : one_case) word = scaled_word(draw, format);
+      });
+    case Stream::lattice:
+      return count_lattice(arity, format, first, words);
+    case Stream::every:
+      return count_every(arity, format, first, words);
+    case Stream::product_ties:
+      return pairs(product_tie);
+    case Stream::near_product_ties:
+      return pairs(near_product_tie);
+    case Stream::quotient_ties:
+      return pairs(quotient_tie);
+    case Stream::near_quotient_ties:
+      return pairs(near_quotient_tie);
+    case Stream::whole_divisor_ties:
+      return pairs(whole_divisor_tie);
+    case Stream::large_quotients:
+      return pairs(large_quotient);
+    case Stream::small_divisors:
+      return pairs(small_divisor);
+    case Stream::fault_edge:
+      return pairs(fault_edge);
+    case Stream::rotations:
+      return cases([&](Draw& draw, auto one_case) { rotation(draw, format, one_case); });
+    case Stream::axes:
+      return cases([&](Draw& draw, auto one_case) { axes(draw, format, one_case); });
+    case Stream::lattice_words:
+      return cases([&, values = boundary_lattice(format.word_bits)](Draw& draw, auto one_case) {
+        for (auto& word : one_case)
+          word = static_cast<std::uint32_t>(values[draw.below(values.size())]);
+      });
+    case Stream::transform_ties:
+      return cases([&](Draw& draw, auto one_case) { transform_tie(draw, format, one_case); });
+    case Stream::root_ties:
+      return cases([&](Draw& draw, auto one_case) { one_case[0] = root_tie(draw, format); });
+    case Stream::quarter_turns:
+      return cases([&](Draw& draw, auto one_case) { one_case[0] = quarter_turn(draw, format); });
+    case Stream::hard_angles:
+      return count_hard_angles(format, first, words);
+    default:
+      refuse(stream, variant);
+  }
+}
+
+}  // namespace fixproof::cases

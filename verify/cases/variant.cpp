@@ -1,0 +1,166 @@
+#include "verify/cases/variant.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "support/edits.hpp"
+#include "support/usage_error.hpp"
+
+namespace fixproof::cases {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Operation>, 46> operations{{
+    {"mul", Operation::mul},
+    {"div", Operation::div},
+    {"cossin", Operation::cossin},
+    {"xformvec", Operation::xformvec},
+    {"concat", Operation::concat},
+    {"sqrt", Operation::sqrt},
+    {"sin", Operation::sin},
+    {"cos", Operation::cos},
+    {"decimal", Operation::decimal},
+    {"binary64", Operation::binary64},
+    {"add", Operation::add},
+    {"sub", Operation::sub},
+    {"exp2", Operation::exp2},
+    {"exp", Operation::exp},
+    {"log2", Operation::log2},
+    {"log", Operation::log},
+    {"log10", Operation::log10},
+    {"from_binary64", Operation::from_binary64},
+    {"convert", Operation::convert},
+    {"from_decimal", Operation::from_decimal},
+    {"to_decimal", Operation::to_decimal},
+    {"expm1", Operation::expm1},
+    {"log1p", Operation::log1p},
+    {"sinh", Operation::sinh},
+    {"cosh", Operation::cosh},
+    {"tanh", Operation::tanh},
+    {"tan", Operation::tan},
+    {"sin_of_degrees", Operation::sin_of_degrees},
+    {"cos_of_degrees", Operation::cos_of_degrees},
+    {"tan_of_degrees", Operation::tan_of_degrees},
+    {"sin_of_turns", Operation::sin_of_turns},
+    {"cos_of_turns", Operation::cos_of_turns},
+    {"tan_of_turns", Operation::tan_of_turns},
+    {"asin", Operation::asin},
+    {"acos", Operation::acos},
+    {"atan", Operation::atan},
+    {"cbrt", Operation::cbrt},
+    {"rsqrt", Operation::rsqrt},
+    {"reciprocal", Operation::reciprocal},
+    {"atan2", Operation::atan2},
+    {"hypot", Operation::hypot},
+    {"pow", Operation::pow},
+    {"fmod", Operation::fmod},
+    {"remainder", Operation::remainder},
+    {"mul_div", Operation::mul_div},
+    {"hypot3", Operation::hypot3},
+}};
+
+/// Returns the operation called `name` among `known`; `kind` is for the error message.
+Operation named(std::string_view name, std::string_view kind,
+                std::span<const std::pair<std::string_view, Operation>> known) {
+  std::string all;
+  std::string nearest;
+  std::size_t fewest_edits = name.size() < 5 ? 1 : 2;
+  for (const auto& [other, operation] : known) {
+    if (other == name) return operation;
+    all += fmt::format("{}{}", all.empty() ? "" : ", ", other);
+    const std::size_t edits = support::edits_between(name, other);
+    if (edits > fewest_edits) continue;
+    if (edits < fewest_edits) nearest.clear();
+    fewest_edits = edits;
+    nearest += fmt::format("{}{}", nearest.empty() ? "" : " or ", other);
+  }
+  const std::string meant = nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
+  throw std::invalid_argument(
+      fmt::format("unknown {} '{}'{}; choose one of {}", kind, name, meant, all));
+}
+
+}  // namespace
+
+std::string_view name_of(Operation o) { return operations.at(static_cast<std::size_t>(o)).first; }
+
+std::string_view name_of(Target t) {
+  switch (t) {
+    case Target::i386:
+      return "i386";
+    case Target::i8088:
+      return "i8088";
+    case Target::standard:
+      break;
+  }
+  return "standard";
+}
+
+Operation operation_named(std::string_view name) { return named(name, "operation", operations); }
+
+void check_format(Operation operation, const Format& format) {
+  if (is_in_format(operation, format)) return;
+  throw support::UsageError(fmt::format(
+      "{} has {}, which {} is not", name_of(operation),
+      operation == Operation::remainder ? "signed formats" : "formats of at most 32 bits",
+      name_of(format)));
+}
+
+std::string function_names() {
+  std::string all;
+  for (const auto& [name, operation] : operations) {
+    if (!is_function(operation) && !is_quotient_function(operation)) continue;
+    all += fmt::format("{}{}", all.empty() ? "" : ", ", name);
+  }
+  return all;
+}
+
+Operation routine_named(std::string_view name) {
+  return named(name, "routine", std::span(operations).first<5>());
+}
+
+std::vector<Variant> all_variants() {
+  std::vector<Variant> all;
+  for (const Operation o : {Operation::mul, Operation::div, Operation::cossin, Operation::xformvec,
+                            Operation::concat}) {
+    for (const Target t : {Target::i386, Target::i8088}) {
+      for (const bool round : {true, false}) {
+        all.push_back(
+            {.operation = o, .build = {.target = t, .mul_round = round, .div_round = round}});
+      }
+    }
+  }
+  for (const Operation o : {Operation::mul, Operation::div, Operation::concat}) {
+    all.push_back({.operation = o, .build = {.target = Target::i386, .chapter_52 = true}});
+  }
+  for (const bool round : {true, false}) {
+    all.push_back(
+        {.operation = Operation::concat,
+         .build = {
+             .target = Target::i8088, .mul_round = round, .div_round = round, .repaired = true}});
+  }
+  for (const Operation o :
+       {Operation::mul, Operation::div, Operation::xformvec, Operation::concat, Operation::sqrt,
+        Operation::sin, Operation::cos, Operation::decimal, Operation::binary64}) {
+    all.push_back({.operation = o, .build = {.target = Target::standard}});
+  }
+  return all;
+}
+
+std::string name_of(const Variant& v) {
+  std::string name = fmt::format("{} {}", name_of(v.operation), name_of(v.build.target));
+  if (v.build.target != Target::standard) name += fmt::format(" {}", rounds(v) ? "on" : "off");
+  if (v.build.chapter_52) name += ", chapter 52";
+  if (v.build.repaired) name += ", repaired";
+  if (v.format == q8_8) {
+    name += ", 8.8";
+  } else if (v.format != q16_16) {
+    name += fmt::format(", {}", name_of(v.format));
+  }
+  return name;
+}
+
+}  // namespace fixproof::cases

@@ -1,0 +1,37 @@
+/// @file
+/// Conversion between words and text.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "verify/cases/variant.hpp"
+
+namespace fixproof::cases {
+
+/// Returns the exact value of `magnitude` units of 2^-fraction_bits, and half a unit more if
+/// `and_half`. 0 <= fraction_bits <= 64
+std::string exact_decimal(std::uint64_t magnitude, int fraction_bits, bool and_half = false);
+
+/// Parses the operands of one case into words_in(v) words. The line has one group of hex digits per
+/// operand, separated by single spaces.
+/// @throws UsageError describing the defect of the line
+void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_t> words);
+
+/// Formats numbers of `bits` bits in hex digits, separated by single spaces. Numbers of 64 bits
+/// are pairs of words, the low half first.
+std::string hex_words(std::span<const std::uint32_t> words, int bits);
+
+/// Appends the same.
+void append_words(std::string& to, std::span<const std::uint32_t> words, int bits);
+
+/// Appends the operands of one case as parse_words() reads them; for from_decimal a decimal number.
+void append_operands(std::string& to, const Variant& v, std::span<const std::uint32_t> words);
+
+/// Formats the operands in decimal, angles in degrees. Values of more than 32 bits are exact,
+/// others have enough places to distinguish them; for 16.16 five.
+std::string decimal_words(const Variant& variant, std::span<const std::uint32_t> words);
+
+}  // namespace fixproof::cases

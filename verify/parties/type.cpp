@@ -1,0 +1,138 @@
+// The production type, under the policy that must be bit-identical to the variant.
+#include <array>
+#include <span>
+
+#include "fixed/fixed.hpp"
+#include "verify/parties/formats.hpp"
+#include "verify/parties/parties.hpp"
+#include "verify/parties/with_number.hpp"
+#include "xsharp/arithmetic.hpp"
+
+namespace fixproof::parties {
+
+namespace {
+
+/// Answers one case with numbers of one type; false if the case has no value.
+template <class Number, cases::Operation operation>
+// One branch for each operation.  NOLINTNEXTLINE(readability-function-cognitive-complexity)
+bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
+              std::span<std::uint32_t> out) {
+  const auto operand = [&](std::size_t i) { return number_of<Number>(in[i]); };
+  if constexpr (operation == cases::Operation::mul) {
+    out[0] = word_of(operand(0) * operand(1));
+  } else if constexpr (operation == cases::Operation::div) {
+    const auto quotient = fixproof::try_divide(operand(0), operand(1));
+    if (!quotient) return false;
+    out[0] = word_of(*quotient);
+  } else if constexpr (operation == cases::Operation::cossin) {
+    const auto angle = static_cast<std::int16_t>(static_cast<std::uint16_t>(in[0]));
+    const auto [cos, sin] = fixproof::sin_cos_of_tenths<Number>(angle);
+    out[0] = word_of(cos);
+    out[1] = word_of(sin);
+  } else if constexpr (operation == cases::Operation::xformvec) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      Number sum = operand(4 * row + 3);
+      for (std::size_t k = 0; k < 3; ++k) sum += operand(4 * row + k) * operand(12 + k);
+      out[row] = word_of(sum);
+    }
+  } else if constexpr (operation == cases::Operation::concat) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 4; ++column) {
+        Number sum;
+        for (std::size_t k = 0; k < 3; ++k) {
+          sum += operand(4 * row + k) * operand(12 + 4 * k + column);
+        }
+        const Number moved = column == 3 || v.build.chapter_52 ? operand(4 * row + 3) : Number();
+        const bool in_parts = column == 3 && cases::loses_carry(v);
+        out[4 * row + column] = word_of(in_parts ? xsharp::sum_in_parts(sum, moved) : sum + moved);
+      }
+    }
+  } else if constexpr (operation == cases::Operation::sqrt) {
+    out[0] = word_of(fixproof::sqrt(operand(0)));
+  } else if constexpr (operation == cases::Operation::sin) {
+    out[0] = word_of(fixproof::sin(operand(0)));
+  } else if constexpr (operation == cases::Operation::cos) {
+    out[0] = word_of(fixproof::cos(operand(0)));
+  } else if constexpr (operation == cases::Operation::decimal) {
+    std::array<char, fixproof::max_chars<Number>> text{};
+    const auto written = fixproof::to_chars(text.data(), text.data() + text.size(), operand(0));
+    Number back;
+    const auto read = fixproof::from_chars(text.data(), written.ptr, back);
+    if (read.ec != std::errc{} || read.ptr != written.ptr) return false;
+    out[0] = word_of(back);
+  } else if constexpr (operation == cases::Operation::add) {
+    out[0] = word_of(operand(0) + operand(1));
+  } else if constexpr (operation == cases::Operation::sub) {
+    out[0] = word_of(operand(0) - operand(1));
+  } else {
+    out[0] = word_of(Number(static_cast<double>(operand(0))));
+  }
+  return true;
+}
+
+template <class Number, cases::Operation operation>
+void each_case(const cases::Variant& v, const Batch& batch) {
+  constexpr std::size_t in = cases::words_in(operation);
+  constexpr std::size_t out = cases::words_out(operation);
+  for (std::size_t i = 0; i < batch.endings.size(); ++i) {
+    const bool valued = one_case<Number, operation>(v, batch.in.subspan(i * in, in),
+                                                    batch.out.subspan(i * out, out));
+    batch.endings[i] = valued ? Ending::value : Ending::divide_error;
+  }
+}
+
+template <class Number>
+void each_case(const cases::Variant& v, const Batch& batch) {
+  using enum cases::Operation;
+  switch (v.operation) {
+    case mul:
+      return each_case<Number, mul>(v, batch);
+    case div:
+      return each_case<Number, div>(v, batch);
+    case cossin:
+      return each_case<Number, cossin>(v, batch);
+    case xformvec:
+      return each_case<Number, xformvec>(v, batch);
+    case concat:
+      return each_case<Number, concat>(v, batch);
+    case sqrt:
+      return each_case<Number, sqrt>(v, batch);
+    case sin:
+      return each_case<Number, sin>(v, batch);
+    case cos:
+      return each_case<Number, cos>(v, batch);
+    case decimal:
+      return each_case<Number, decimal>(v, batch);
+    case binary64:
+      return each_case<Number, binary64>(v, batch);
+    case add:
+      return each_case<Number, add>(v, batch);
+    case sub:
+      return each_case<Number, sub>(v, batch);
+    default:  // a conversion, which answers() refuses
+      return;
+  }
+}
+
+class Type final : public Party {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "type"; }
+  [[nodiscard]] std::string identity() const override { return fixed_version(); }
+  [[nodiscard]] bool answers(const cases::Variant& v) const override {
+    if (!cases::has_routine_format(v)) {
+      return exists_in_format(v) && is_named(v.format) && is_standard(v);
+    }
+    return v.operation != cases::Operation::cossin || v.format == cases::q16_16;
+  }
+  void fill(const cases::Variant& v, const Batch& batch) const override {
+    if (!cases::has_routine_format(v)) return answer_by_type(v, batch);
+    with_number(
+        v, [&]<class Number>(std::type_identity<Number> /*type*/) { each_case<Number>(v, batch); });
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Party> make_type() { return std::make_unique<Type>(); }
+
+}  // namespace fixproof::parties

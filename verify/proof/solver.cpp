@@ -1,0 +1,87 @@
+#include "verify/proof/solver.hpp"
+
+#include <fmt/format.h>
+
+#include "support/usage_error.hpp"
+#include "verify/proof/known_answers.hpp"
+
+namespace fixproof::proof {
+
+namespace {
+
+std::vector<std::string> names_in(const std::string& name) {
+  if (name == "both") return {"z3", "cvc5"};
+  if (name == "z3" || name == "cvc5") return {name};
+  throw support::UsageError(fmt::format("unknown solver '{}'; choose z3, cvc5 or both", name));
+}
+
+/// Either decides each of these questions in a fraction of a second.
+constexpr int seconds_for_known = 60;
+
+/// A solver that lies, such as one that always says unsat, would prove anything.
+void expect_known_answers(const SolverProgram& solver) {
+  for (const KnownAnswer& known : known_answers()) {
+    std::string reply;
+    try {
+      const Satisfiability verdict = solver.ask(known.script, seconds_for_known).verdict;
+      if (verdict == known.verdict) continue;
+      reply = fmt::format("{} says {}", solver.name(), name_of(verdict));
+    } catch (const SolverError& error) {
+      reply = error.what();
+    }
+    throw SolverError(fmt::format("{} is refused: a test question ({}) is known to be {}, but {}",
+                                  solver.name(), known.subject, name_of(known.verdict), reply));
+  }
+}
+
+bool decides(const SolverAnswer& answer) { return answer.verdict != Satisfiability::unknown; }
+
+/// The common verdict of two solvers.
+SolverAnswer combined(const SolverAnswer& first, const SolverAnswer& second) {
+  if (first.verdict == second.verdict) return first;
+  if (decides(first) && decides(second)) return {.verdict = Satisfiability::disputed};
+  return {.verdict = Satisfiability::one_sided};
+}
+
+}  // namespace
+
+Solver::Solver(const std::string& name) {
+  for (const std::string& program : names_in(name)) programs_.emplace_back(program);
+  for (const SolverProgram& program : programs_) expect_known_answers(program);
+}
+
+std::string Solver::version() const {
+  std::string versions;
+  for (const SolverProgram& program : programs_) {
+    versions += (versions.empty() ? "" : " and ") + program.version();
+  }
+  return versions;
+}
+
+SolverAnswer Solver::ask(const std::string& script, int max_seconds) const {
+  if (programs_.size() == 1) return programs_.front().ask(script, max_seconds);
+  std::vector<SolverAnswer> answers;
+  std::string remark;
+  double seconds = 0;
+  for (const SolverProgram& program : programs_) {
+    std::string said;
+    try {
+      answers.push_back(program.ask(script, max_seconds));
+      said = fmt::format("{}: {}", program.name(), name_of(answers.back().verdict));
+    } catch (const SolverError& error) {
+      answers.emplace_back();
+      said = error.what();
+    }
+    seconds += answers.back().seconds;
+    remark += (remark.empty() ? "" : "; ") + said;
+  }
+  SolverAnswer answer = combined(answers.front(), answers.back());
+  answer.seconds = seconds;
+  if (answer.verdict != Satisfiability::unsatisfiable &&
+      answer.verdict != Satisfiability::satisfiable) {
+    answer.remark = remark;
+  }
+  return answer;
+}
+
+}  // namespace fixproof::proof

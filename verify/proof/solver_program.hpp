@@ -1,0 +1,63 @@
+/// @file
+/// Runs an SMT solver as a separate process.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "verify/proof/process.hpp"
+
+namespace fixproof::proof {
+
+/// A solver that fails, or whose answer is damaged or wrong. The message names the solver.
+class SolverError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum class Satisfiability {
+  unsatisfiable,
+  satisfiable,
+  unknown,
+  one_sided,  ///< one of two solvers decides, the other does not
+  disputed,   ///< two solvers contradict each other
+};
+
+struct SolverAnswer {
+  Satisfiability verdict = Satisfiability::unknown;
+  std::string model{};  ///< satisfies the question; empty unless satisfiable
+  double seconds = 0;
+  std::string remark{};  ///< what each of two solvers says, unless they agree
+};
+
+/// The word for a verdict of one solver.
+std::string name_of(Satisfiability verdict);
+
+class SolverProgram {
+ public:
+  /// @param name z3 or cvc5
+  /// @throws UsageError if the program is not on the PATH or cannot print its version;
+  /// support::Stopped
+  explicit SolverProgram(const std::string& name);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// The first line of `--version`.
+  [[nodiscard]] const std::string& version() const { return version_; }
+
+  /// Asks one question, whose script ends in its only (check-sat), with a time limit of
+  /// `max_seconds`.
+  /// @throws SolverError if the solver cannot run, exits with a status other than 0, says anything
+  /// else than an answer, or "sat" without a model that satisfies the script; support::Stopped
+  [[nodiscard]] SolverAnswer ask(const std::string& script, int max_seconds) const;
+
+ private:
+  std::string name_;
+  std::string version_;
+};
+
+/// Judges what the solver `name` printed about `script`.
+/// @return the verdict, with the model if the question is satisfiable; `seconds` stays 0
+/// @throws SolverError as SolverProgram::ask() does
+SolverAnswer answer_in(const Output& output, const std::string& name, const std::string& script);
+
+}  // namespace fixproof::proof
