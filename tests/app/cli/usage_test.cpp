@@ -153,6 +153,21 @@ TEST(Usage, HelpIsNoError) {
   }
 }
 
+TEST(Usage, HelpHasEachCommandUnderOneQuestion) {
+  const std::string help = command::output_of("--help");
+  std::string found;
+  for (const std::string& line : command::split(help, '\n')) {
+    if (line.ends_with(':') && line != "Options:") found += line;
+    std::smatch name;
+    if (std::regex_search(line, name, std::regex("^  ([a-z]+) "))) found += " " + name[1].str();
+  }
+  EXPECT_EQ(found,
+            "Judge your own code: gen check judge desync"
+            "Verify FIXED.ASM and the number type: verify merge prove mutate step"
+            "Look inside: eval trace list dos"
+            "Scenes and what they cost: render measure drift profile advise report");
+}
+
 TEST(Usage, OutputThatCannotBeWritten) {
   for (const std::string_view arguments : {"list mul", "trace mul 00018000 00028000", "--help"}) {
     command::expect_output_needed(arguments);
