@@ -40,7 +40,7 @@ def build(compiler, folder):
     objects = []
     for name in ("fair/arithmetic", "fair/angles", "fair/sums", "fair/highway", "fair/main", "instructions"):
         objects.append(f"{folder}/{os.path.basename(name)}.o")
-        run([*compiler, *FLAGS, "-c", f"{ROOT}/bench/{name}.cpp", "-o", objects[-1]])
+        run([*compiler, *FLAGS, "-c", f"{ROOT}/measure/bench/{name}.cpp", "-o", objects[-1]])
     programs = []
     for name in ("main", "instructions"):
         programs.append(f"{folder}/{name}")

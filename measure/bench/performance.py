@@ -54,7 +54,7 @@ def build(compiler, flags):
     os.makedirs(folder, exist_ok=True)
     log = folder + ".log"
     options = ("CMAKE_BUILD_TYPE=", f"CMAKE_CXX_COMPILER={compiler}", f"CMAKE_CXX_FLAGS={flags} {COMMON_FLAGS}")
-    said = run(["cmake", "-S", os.path.join(ROOT, "bench", "fair"), "-B", folder, "-G", "Ninja",
+    said = run(["cmake", "-S", os.path.join(ROOT, "measure", "bench", "fair"), "-B", folder, "-G", "Ninja",
                 *(f"-D{option}" for option in options)], log)
     run(["cmake", "--build", folder], log)
     return os.path.join(folder, "fair"), re.findall(r"fair: without (\S+),", said)

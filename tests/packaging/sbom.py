@@ -106,7 +106,7 @@ for name in sorted(set(asked) - {"Threads"}):  # of the C library, which ldd fin
     expect(packages and packages <= set(versions), f"CMake finds {name} in {packages or 'nothing'}: not listed")
 for line in (root / "app/report/vendor/SHA256SUMS").read_text().splitlines():
     value, name = line.split()
-    expect(any(file["fileName"] == f"./report/vendor/{name}" and file["checksums"][1]["checksumValue"] == value
+    expect(any(file["fileName"] == f"./app/report/vendor/{name}" and file["checksums"][1]["checksumValue"] == value
                for file in bill["files"]), f"app/report/vendor/{name}: not listed")
 installed = set(subprocess.run(["dpkg-query", "-W", "-f", "${Package} ${Version}\n"], capture_output=True, text=True,
                                check=True).stdout.splitlines())

@@ -32,7 +32,7 @@ def expanded(text, matrix):
 
 
 presets = {preset["name"] for preset in json.loads((root / "CMakePresets.json").read_text())["testPresets"]}
-labels = set(re.findall(r"LABELS (\w+)", " ".join(path.read_text() for path in root.glob("tests/*/CMakeLists.txt"))))
+labels = set(re.findall(r"LABELS (\w+)", " ".join(path.read_text() for path in root.glob("tests/**/CMakeLists.txt"))))
 processors = set(re.findall(r'^  "(\w+) [\w-]+-(?:linux-gnu|w64-mingw32)', (root / "tests/tools/platforms").read_text(), re.M))
 
 

@@ -98,7 +98,7 @@ TEST(ReportCommand, WritesThePageAndItsData) {
 TEST(ReportCommand, FindsTheScenesOfTheCurrentFolder) {
   const Folder out;
   fs::create_directories(out.path());
-  fs::create_directory_symlink(paths::source("scenes"), out.file("scenes"));
+  fs::create_directory_symlink(paths::source("xsharp"), out.file("xsharp"));
   const auto run = command::run({"sh", "-c",
                                  "cd '" + out.path() + "' && exec " +
                                      paths::source("tests/support/interrupted") + " INT 0.1 " +

@@ -81,7 +81,7 @@ void expect_same_corners(const xsharp::Scene& scene) {
 
 TEST(FractionNumber, With16FractionBitsDrawsEveryScene) {
   int scenes = 0;
-  for (const auto& file : std::filesystem::directory_iterator(paths::source("scenes"))) {
+  for (const auto& file : std::filesystem::directory_iterator(paths::source("xsharp/scenes"))) {
     if (file.path().extension() != ".json") continue;
     SCOPED_TRACE(file.path());
     expect_same_corners(xsharp::read_scene(file.path().string()));

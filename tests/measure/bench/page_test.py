@@ -7,7 +7,7 @@ The tables of docs/performance.md, from results that are made up.
 import sys
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, sys.argv[1] + "/bench")
+sys.path.insert(0, sys.argv[1] + "/measure/bench")
 import page  # noqa: E402
 import performance  # noqa: E402
 

@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 root, program = sys.argv[1:]
-SCRIPT = os.path.join(root, "bench", "performance.py")
+SCRIPT = os.path.join(root, "measure", "bench", "performance.py")
 
 
 def verdicts(of):

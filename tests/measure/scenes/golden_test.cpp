@@ -77,7 +77,7 @@ std::uint64_t hash_of(std::span<const std::uint8_t> bytes) {
 
 /// Compares each picture with the record that golden/work_out_pixels.py keeps of it.
 void expect_golden_pixels(const std::string& name,
-                          const std::string& folder = paths::source("scenes")) {
+                          const std::string& folder = paths::source("xsharp/scenes")) {
   const xsharp::Scene scene = xsharp::read_scene(fmt::format("{}/{}.json", folder, name));
   std::string all;
   for (const xsharp::ArithmeticChoice& choice : all_arithmetics()) {

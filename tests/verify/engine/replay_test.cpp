@@ -41,12 +41,12 @@ Shell shell(const std::string& line) {
 std::string wrong_function(const cases::Variant& v) {
   switch (v.operation) {
     case cases::Operation::cossin:
-      return paths::built("tests/library/libjudged.so:cossin_wrong");
+      return paths::built("tests/verify/library/libjudged.so:cossin_wrong");
     case cases::Operation::xformvec:
     case cases::Operation::concat:
-      return paths::built("tests/library/libjudged.so:transform_wrong");
+      return paths::built("tests/verify/library/libjudged.so:transform_wrong");
     default:
-      return paths::built("tests/library/libjudged.so:wrong");
+      return paths::built("tests/verify/library/libjudged.so:wrong");
   }
 }
 

@@ -25,7 +25,7 @@ std::string contents(const std::filesystem::path& file) {
   return text.str();
 }
 
-Scene parsed(const std::string& text) { return parse_scene(text, "s", root / "scenes"); }
+Scene parsed(const std::string& text) { return parse_scene(text, "s", root / "xsharp" / "scenes"); }
 std::string said_of_scene(const std::string& text) {
   return xsharp_test::refusal([&] { parsed(text); });
 }
@@ -280,7 +280,8 @@ TEST(SceneJson, SaysWhatIsWrongAndWhere) {
       {R"({"objects": [{"shape": {"ball": {"radius": 1}}}]})",
        "objects[0].shape.ball: must have the key \"bands\""},
       {R"({"defaults": {"shape": {"obj": "no.obj"}}, "objects": []})",
-       "defaults.shape.obj: " + (root / "scenes" / "no.obj").string() + ": there is no such file"},
+       "defaults.shape.obj: " + (root / "xsharp" / "scenes" / "no.obj").string() +
+           ": there is no such file"},
       {cube_with(R"("name": "x")"), "objects[0]: must have one of paint, paints and checks"},
       {cube_with(R"("paint": 1, "checks": [1, 2])"),
        "objects[0]: must have one of paint, paints and checks"},
@@ -346,7 +347,7 @@ TEST(SceneJson, NamesOnlyFilesOfItsFolder) {
     return said_of_scene(R"({"defaults": {"shape": {"obj": ")" + file + R"("}}, "objects": []})");
   };
   EXPECT_EQ(said_of_file("dodecahedron.obj"), "accepted");
-  const std::string scenes = (root / "scenes").string();
+  const std::string scenes = (root / "xsharp" / "scenes").string();
   EXPECT_EQ(said_of_file("../README.md"),
             "defaults.shape.obj: " + scenes + "/../README.md: leads out of the folder");
   for (const std::string& file : {scenes + "/dodecahedron.obj", std::string("/proc/kmsg")}) {
@@ -417,7 +418,7 @@ TEST(SceneJson, OutlivesAnyBytes) {
   std::vector<std::string> texts;
   for (const char* name : {"ball_and_cubes.json", "highlight.json", "look_at.json",
                            "shaded_ball.json", "solid.json"}) {
-    texts.push_back(contents(root / "scenes" / name));
+    texts.push_back(contents(root / "xsharp" / "scenes" / name));
     ASSERT_EQ(said_of_scene(texts.back()), "accepted");
   }
   ASSERT_TRUE(rc::check([&] {
