@@ -71,7 +71,7 @@ def main():
     policy = (f"default-src 'none'; script-src {source_hash(script)} 'wasm-unsafe-eval'; "
               f"style-src {source_hash(style)}; base-uri 'none'; form-action 'none'")
     licences = [html.escape(file.read_text(), quote=False)
-                for file in (HERE / "vendor/lit-html.LICENSE", HERE.parent / "LICENSE")]
+                for file in (HERE / "vendor/lit-html.LICENSE", HERE.parents[1] / "LICENSE")]
     page = (HERE / "page/page.html").read_text()
     for place, text in (("policy", policy), ("style", style), ("module", packed), ("script", script),
                         ("library-licence", licences[0]), ("own-licence", licences[1])):
