@@ -1,190 +1,227 @@
 /// @file
-/// Results and flags of the arithmetic instructions, from Intel's Software Developer's Manual
-/// (volume 2) for the 386. The 8088 agrees on every form that an 8088 listing uses.
+/// What the arithmetic instructions compute: their results and flags, from Intel's Software
+/// Developer's Manual (volume 2) for the 386. The 8088 agrees on every form that an 8088 listing
+/// uses.
 ///
-/// Operands are `bits` wide (at most 32) and zero-extended. Flags that the manual leaves undefined
-/// are marked so. The caller preserves flags that an instruction does not change.
+/// Each is a function of the domain `D` that it computes in: Words for numbers, symbolic::Domain
+/// for all numbers at once. Operands are `bits` wide, at most 32. Counts are numbers in every
+/// domain. Flags that the manual leaves undefined are marked so; the caller preserves flags that an
+/// instruction does not change.
 #pragma once
 
-#include <bit>
 #include <cstdint>
-#include <optional>
 
 #include "x86model/flags.hpp"
 #include "x86model/inline.hpp"
 
 namespace x86model::alu {
 
+template <class D>
+using Value = typename D::Value;
+template <class D>
+using Wide = typename D::Wide;
+template <class D>
+using Truth = typename D::Truth;
+
+template <class D>
 struct Result {
-  std::uint32_t value = 0;
-  Flags flags;
+  Value<D> value;
+  typename D::Flags flags;
 };
 
-X86MODEL_INLINE std::uint32_t mask(int bits) {
-  return static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1);
-}
-X86MODEL_INLINE bool sign(std::uint32_t value, int bits) {
-  return ((value >> (bits - 1)) & 1U) != 0;
-}
-X86MODEL_INLINE std::int64_t as_signed(std::uint64_t value, int bits) {
-  return static_cast<std::int64_t>(value << (64 - bits)) >> (64 - bits);
+template <class D>
+X86MODEL_INLINE Truth<D> sign(D d, Value<D> value, int bits) {
+  return d.bit(value, bits - 1);
 }
 
-/// `flag` if `set`, else 0: for building a flags word.
-X86MODEL_INLINE std::uint16_t when(bool set, Flag flag) {
-  return static_cast<std::uint16_t>(set ? flag : 0);
+/// A result with its flags: SF, ZF and PF depend only on the value.
+template <class D>
+X86MODEL_INLINE Result<D> result(D d, Value<D> value, int bits, Truth<D> carry, Truth<D> auxiliary,
+                                 Truth<D> overflow, int undefined = 0) {
+  return {value,
+          d.flags(carry, d.has_even_parity(value), auxiliary, d.equal(value, d.constant(0, bits)),
+                  sign(d, value, bits), overflow, static_cast<std::uint16_t>(undefined))};
 }
 
-/// SF, ZF and PF, which depend only on the result. PF depends on its low 8 bits.
-X86MODEL_INLINE std::uint16_t result_flags(std::uint32_t value, int bits) {
-  // First, because zero is rare. Otherwise g++ branches on the sign, which is as good as random.
-  if (value == 0) return ZF | PF;
-  return static_cast<std::uint16_t>(when(sign(value, bits), SF) |
-                                    when((std::popcount(value & 0xFFU) & 1) == 0, PF));
+template <class D>
+X86MODEL_INLINE Result<D> add(D d, Value<D> a, Value<D> b, Truth<D> carry, int bits) {
+  const Value<D> value = d.sum(a, b, carry, bits);
+  const Truth<D> overflow = sign(d, d.bit_and(d.bit_xor(a, value), d.bit_xor(b, value)), bits);
+  return result(d, value, bits, d.carry_of(a, b, carry, bits), d.half_carry(a, b, value), overflow);
 }
 
-X86MODEL_INLINE Result add(std::uint32_t a, std::uint32_t b, bool carry, int bits) {
-  const std::uint64_t sum = std::uint64_t{a} + b + (carry ? 1U : 0U);
-  const auto value = static_cast<std::uint32_t>(sum) & mask(bits);
-  const auto flags = static_cast<std::uint16_t>(
-      result_flags(value, bits) | when(((sum >> bits) & 1U) != 0, CF) |
-      when(((a ^ b ^ value) & 0x10U) != 0, AF) | when(sign((a ^ value) & (b ^ value), bits), OF));
-  return {value, {flags, 0}};
-}
-
-X86MODEL_INLINE Result sub(std::uint32_t a, std::uint32_t b, bool borrow, int bits) {
-  const std::uint64_t difference = std::uint64_t{a} - b - (borrow ? 1U : 0U);
-  const auto value = static_cast<std::uint32_t>(difference) & mask(bits);
-  const auto flags = static_cast<std::uint16_t>(
-      result_flags(value, bits) | when(((difference >> bits) & 1U) != 0, CF) |
-      when(((a ^ b ^ value) & 0x10U) != 0, AF) | when(sign((a ^ b) & (a ^ value), bits), OF));
-  return {value, {flags, 0}};
+template <class D>
+X86MODEL_INLINE Result<D> sub(D d, Value<D> a, Value<D> b, Truth<D> borrow, int bits) {
+  const Value<D> value = d.difference(a, b, borrow, bits);
+  const Truth<D> overflow = sign(d, d.bit_and(d.bit_xor(a, b), d.bit_xor(a, value)), bits);
+  return result(d, value, bits, d.borrow_of(a, b, borrow, bits), d.half_carry(a, b, value),
+                overflow);
 }
 
 /// AND and XOR: CF and OF cleared, AF undefined.
-X86MODEL_INLINE Result logic(std::uint32_t value, int bits) {
-  return {value, {result_flags(value, bits), AF}};
+template <class D>
+X86MODEL_INLINE Result<D> logic(D d, Value<D> value, int bits) {
+  const Truth<D> no = d.truth(false);
+  return result(d, value, bits, no, no, no, AF);
 }
 
-/// Flags of a shift by `count` > 0: AF is undefined; OF is defined only for a shift by one.
-X86MODEL_INLINE Flags shift_flags(std::uint32_t value, int bits, int count, bool carry,
-                                  bool overflow) {
-  const auto flags = static_cast<std::uint16_t>(result_flags(value, bits) | when(carry, CF) |
-                                                when(count == 1 && overflow, OF));
-  return {flags, static_cast<std::uint16_t>(AF | when(count != 1, OF))};
-}
-
-/// SHL, 0 < count < 32. CF is undefined if count >= bits.
-X86MODEL_INLINE Result shl(std::uint32_t a, int count, int bits) {
-  const std::uint64_t wide = std::uint64_t{a} << count;
-  const auto value = static_cast<std::uint32_t>(wide) & mask(bits);
-  const bool carry = count < bits && ((wide >> bits) & 1U) != 0;
-  Flags flags = shift_flags(value, bits, count, carry, sign(value, bits) != carry);
-  flags.undefined |= when(count >= bits, CF);
-  return {value, flags};
-}
-
-/// SHR, 0 < count < 32. CF is undefined if count >= bits.
-X86MODEL_INLINE Result shr(std::uint32_t a, int count, int bits) {
-  const std::uint32_t value = a >> count;
-  const bool carry = count < bits && ((a >> (count - 1)) & 1U) != 0;
-  Flags flags = shift_flags(value, bits, count, carry, sign(a, bits));
-  flags.undefined |= when(count >= bits, CF);
-  return {value, flags};
-}
-
-/// SAR, 0 < count < 32. If count >= bits, CF is the sign.
-X86MODEL_INLINE Result sar(std::uint32_t a, int count, int bits) {
-  const std::int64_t wide = as_signed(a, bits);
-  const auto value = static_cast<std::uint32_t>(wide >> count) & mask(bits);
-  const bool carry = ((wide >> (count - 1)) & 1) != 0;
-  return {value, shift_flags(value, bits, count, carry, false)};
-}
-
-/// ROL, 0 < count < 32. Sets only CF and OF; the caller preserves the other flags.
-X86MODEL_INLINE Result rol(std::uint32_t a, int count, int bits) {
-  const int turn = count % bits;
-  const auto value =
-      static_cast<std::uint32_t>((std::uint64_t{a} << turn) | (std::uint64_t{a} >> (bits - turn))) &
-      mask(bits);
-  const bool carry = (value & 1U) != 0;
-  const auto flags = static_cast<std::uint16_t>(when(carry, CF) |
-                                                when(count == 1 && sign(value, bits) != carry, OF));
-  return {value, {flags, when(count != 1, OF)}};
+/// A result of a shift by `count` > 0: AF is undefined; OF is defined only for a shift by one.
+template <class D>
+X86MODEL_INLINE Result<D> shifted(D d, Value<D> value, int bits, int count, Truth<D> carry,
+                                  Truth<D> overflow, int undefined = 0) {
+  return result(d, value, bits, carry, d.truth(false), overflow,
+                AF | (count == 1 ? 0 : OF) | undefined);
 }
 
 /// SHLD, 0 < count < bits: shifts `a` left and fills from the top of `fill`.
-X86MODEL_INLINE Result shld(std::uint32_t a, std::uint32_t fill, int count, int bits) {
-  const std::uint64_t wide = (std::uint64_t{a} << bits | fill) << count;
-  const auto value = static_cast<std::uint32_t>(wide >> bits) & mask(bits);
-  const bool carry = ((a >> (bits - count)) & 1U) != 0;
-  return {value, shift_flags(value, bits, count, carry, sign(a ^ value, bits))};
+template <class D>
+X86MODEL_INLINE Result<D> shld(D d, Value<D> a, Value<D> fill, int count, int bits) {
+  const int rest = bits - count;
+  const Value<D> value = d.concat(d.extract(a, 0, rest), d.extract(fill, rest, count), count);
+  return shifted(d, value, bits, count, d.bit(a, rest),
+                 d.differ(sign(d, a, bits), sign(d, value, bits)));
 }
 
 /// SHRD, 0 < count < bits: shifts `a` right and fills from the bottom of `fill`.
-X86MODEL_INLINE Result shrd(std::uint32_t a, std::uint32_t fill, int count, int bits) {
-  const std::uint64_t wide = (std::uint64_t{fill} << bits | a) >> count;
-  const auto value = static_cast<std::uint32_t>(wide) & mask(bits);
-  const bool carry = ((a >> (count - 1)) & 1U) != 0;
-  return {value, shift_flags(value, bits, count, carry, sign(a ^ value, bits))};
+template <class D>
+X86MODEL_INLINE Result<D> shrd(D d, Value<D> a, Value<D> fill, int count, int bits) {
+  const int rest = bits - count;
+  const Value<D> value = d.concat(d.extract(fill, 0, count), d.extract(a, count, rest), rest);
+  return shifted(d, value, bits, count, d.bit(a, count - 1),
+                 d.differ(sign(d, a, bits), sign(d, value, bits)));
 }
 
+/// The result of SHL and SHR by 31 >= count >= bits: 0, with CF undefined.
+template <class D>
+X86MODEL_INLINE Result<D> shifted_out(D d, int count, int bits) {
+  const Truth<D> no = d.truth(false);
+  return shifted(d, d.constant(0, bits), bits, count, no, no, CF);
+}
+
+/// SHL, 0 < count < 32. OF tells whether the sign changes.
+template <class D>
+X86MODEL_INLINE Result<D> shl(D d, Value<D> a, int count, int bits) {
+  if (count >= bits) return shifted_out(d, count, bits);
+  return shld(d, a, d.constant(0, bits), count, bits);
+}
+
+/// SHR, 0 < count < 32. OF is the sign of the operand, which always changes to 0.
+template <class D>
+X86MODEL_INLINE Result<D> shr(D d, Value<D> a, int count, int bits) {
+  if (count >= bits) return shifted_out(d, count, bits);
+  return shrd(d, a, d.constant(0, bits), count, bits);
+}
+
+/// SAR, 0 < count < 32. If count >= bits, CF is the sign.
+template <class D>
+X86MODEL_INLINE Result<D> sar(D d, Value<D> a, int count, int bits) {
+  const Wide<D> wide = d.sign_extend(a, bits, 64);
+  return shifted(d, d.extract(wide, count, bits), bits, count, d.bit(wide, count - 1),
+                 d.truth(false));
+}
+
+/// ROL, 0 < count < 32. Sets only CF and OF; the caller preserves the other flags.
+template <class D>
+X86MODEL_INLINE Result<D> rol(D d, Value<D> a, int count, int bits) {
+  const int turn = count % bits;
+  const int rest = bits - turn;
+  const Value<D> value =
+      turn == 0 ? a : d.concat(d.extract(a, 0, rest), d.extract(a, rest, turn), turn);
+  const Truth<D> carry = d.bit(value, 0);
+  const Truth<D> no = d.truth(false);
+  return {value, d.flags(carry, no, no, no, no, d.differ(sign(d, value, bits), carry),
+                         count == 1 ? std::uint16_t{0} : std::uint16_t{OF})};
+}
+
+template <class D>
 struct Product {
-  std::uint32_t low = 0;
-  std::uint32_t high = 0;
-  Flags flags;
+  Wide<D> wide;
+  typename D::Flags flags;
 };
 
-/// The result of MUL and IMUL: CF and OF tell whether the high half is significant; other flags are
-/// undefined.
-X86MODEL_INLINE Product product(std::uint64_t wide, bool high_matters, int bits) {
-  return {static_cast<std::uint32_t>(wide) & mask(bits),
-          static_cast<std::uint32_t>(wide >> bits) & mask(bits),
-          {static_cast<std::uint16_t>(when(high_matters, CF) | when(high_matters, OF)),
-           SF | ZF | AF | PF}};
+/// MUL and IMUL: CF and OF tell whether the high half is significant; other flags are undefined.
+template <class D>
+X86MODEL_INLINE Product<D> product(D d, Wide<D> wide, Truth<D> high_matters) {
+  const Truth<D> no = d.truth(false);
+  return {wide, d.flags(high_matters, no, no, no, no, high_matters, SF | ZF | AF | PF)};
 }
 
-X86MODEL_INLINE Product mul(std::uint32_t a, std::uint32_t b, int bits) {
-  const std::uint64_t wide = std::uint64_t{a} * b;
-  return product(wide, (wide >> bits) != 0, bits);
+template <class D>
+X86MODEL_INLINE Product<D> mul(D d, Value<D> a, Value<D> b, int bits) {
+  const Wide<D> wide = d.unsigned_product(a, b, bits);
+  const Wide<D> low = d.zero_extend(d.extract(wide, 0, bits), bits, 2 * bits);
+  return product(d, wide, d.negation(d.equal(wide, low)));
 }
 
-X86MODEL_INLINE Product imul(std::uint32_t a, std::uint32_t b, int bits) {
-  const std::int64_t wide = as_signed(a, bits) * as_signed(b, bits);
-  const auto raw = static_cast<std::uint64_t>(wide);
-  return product(raw, as_signed(raw, bits) != wide, bits);
+template <class D>
+X86MODEL_INLINE Product<D> imul(D d, Value<D> a, Value<D> b, int bits) {
+  const Wide<D> wide = d.signed_product(a, b, bits);
+  const Wide<D> low = d.sign_extend(d.extract(wide, 0, bits), bits, 2 * bits);
+  return product(d, wide, d.negation(d.equal(wide, low)));
 }
 
-struct Quotient {
-  std::uint32_t quotient;
-  std::uint32_t remainder;
-};
-
-/// DIV of high:low. Returns nothing (#DE) if the divisor is zero or the quotient does not fit.
-/// Leaves all six flags undefined.
-X86MODEL_INLINE std::optional<Quotient> div(std::uint32_t high, std::uint32_t low,
-                                            std::uint32_t divisor, int bits) {
+/// Whether DIV raises #DE: the divisor is zero, or the quotient does not fit.
+template <class D>
+X86MODEL_INLINE Truth<D> div_faults(D d, Value<D> high, Value<D> divisor) {
   // The quotient fits if and only if the high half is below the divisor.
-  if (high >= divisor) return std::nullopt;
-  const std::uint64_t dividend = (std::uint64_t{high} << bits) | low;
-  return Quotient{static_cast<std::uint32_t>(dividend / divisor),
-                  static_cast<std::uint32_t>(dividend % divisor)};
+  return d.negation(d.below(high, divisor));
 }
 
-/// IDIV of high:low, truncating; the remainder has the sign of the dividend. Returns nothing (#DE)
-/// if the divisor is zero or the quotient is outside the signed range.
-X86MODEL_INLINE std::optional<Quotient> idiv(std::uint32_t high, std::uint32_t low,
-                                             std::uint32_t divisor, int bits) {
-  const std::int64_t d = as_signed(divisor, bits);
-  const std::int64_t n = as_signed((std::uint64_t{high} << bits) | low, 2 * bits);
-  if (d == 0) return std::nullopt;
-  // -2^63 / -1 is the only quotient that does not fit in 64 bits.
-  if (d == -1 && n == INT64_MIN) return std::nullopt;
-  const std::int64_t q = n / d;
-  const std::int64_t limit = std::int64_t{1} << (bits - 1);
-  if (q < -limit || q >= limit) return std::nullopt;
-  return Quotient{static_cast<std::uint32_t>(q) & mask(bits),
-                  static_cast<std::uint32_t>(n % d) & mask(bits)};
+/// The condition of a jump or a set instruction, as the low four bits of their opcodes have it:
+/// each odd one is the opposite of the one before it.
+enum class Condition : std::uint8_t {
+  overflow,
+  carry = 2,  ///< below, of unsigned numbers
+  zero = 4,   ///< equal
+  not_zero,
+  carry_or_zero,  ///< below or equal
+  above,
+  sign,
+  not_sign,
+  parity,
+  less = 12,  ///< of signed numbers
+  less_or_equal = 14,
+  greater,
+};
+
+/// The flags that a condition reads.
+X86MODEL_INLINE std::uint16_t flags_read(Condition condition) {
+  constexpr std::uint16_t by_pair[8]{OF, CF, ZF, CF | ZF, SF, PF, SF | OF, ZF | SF | OF};
+  return by_pair[static_cast<unsigned>(condition) / 2];
+}
+
+/// Whether a condition holds; all flags that it reads are defined.
+template <class D>
+X86MODEL_INLINE Truth<D> holds(D d, Condition condition, const typename D::Flags& flags) {
+  const auto code = static_cast<unsigned>(condition);
+  Truth<D> truth{};
+  switch (static_cast<Condition>(code & ~1U)) {
+    case Condition::overflow:
+      truth = flags.get(OF);
+      break;
+    case Condition::carry:
+      truth = flags.get(CF);
+      break;
+    case Condition::zero:
+      truth = flags.get(ZF);
+      break;
+    case Condition::carry_or_zero:
+      truth = d.either(flags.get(CF), flags.get(ZF));
+      break;
+    case Condition::sign:
+      truth = flags.get(SF);
+      break;
+    case Condition::parity:
+      truth = flags.get(PF);
+      break;
+    case Condition::less:
+      truth = d.differ(flags.get(SF), flags.get(OF));
+      break;
+    default:
+      truth = d.either(flags.get(ZF), d.differ(flags.get(SF), flags.get(OF)));
+      break;
+  }
+  return code % 2 == 0 ? truth : d.negation(truth);
 }
 
 }  // namespace x86model::alu

@@ -48,7 +48,7 @@ class MemoryAndTable : public WordMemory<WordBits, Words> {
     // Wraps to more than any index if the address is below the table.
     const std::uint32_t index = (address - first) / step;
     if (address % step != 0 || index / 2 >= cosine_table.size()) return false;
-    value = cosine_table[index / 2] >> (index % 2 == 0 ? 0 : WordBits) & alu::mask(WordBits);
+    value = cosine_table[index / 2] >> (index % 2 == 0 ? 0 : WordBits) & mask(WordBits);
     return true;
   }
 };
@@ -85,7 +85,7 @@ X86MODEL_INLINE std::uint32_t load(const M& m, std::int32_t address) {
 /// Pushes a pointer argument.
 template <class M>
 X86MODEL_INLINE void push_pointer(M& m, std::int32_t address) {
-  push(m, static_cast<std::uint32_t>(scaled_bytes<M::word_bits>(address)));
+  m.push(static_cast<std::uint32_t>(scaled_bytes<M::word_bits>(address)));
 }
 
 }  // namespace detail
@@ -126,13 +126,13 @@ X86MODEL_INLINE void enter(M& m, std::span<const std::uint32_t> in) {
                     static_cast<std::uint32_t>(scaled_bytes<M::word_bits>(stack_top)));
   if constexpr (routine == Routine::mul || routine == Routine::div) {
     for (const std::uint32_t value : {in[1], in[0]}) {
-      push(m, value >> M::word_bits);
-      push(m, value);
+      m.push(value >> M::word_bits);
+      m.push(value);
     }
   } else if constexpr (routine == Routine::cossin) {
     push_pointer(m, out + bytes_of_value);
     push_pointer(m, out);
-    push(m, in[0]);
+    m.push(in[0]);
   } else {
     for (std::size_t i = 0; i < in.size(); ++i) {
       store(m, data + static_cast<std::int32_t>(i) * bytes_of_value, in[i]);
@@ -141,7 +141,7 @@ X86MODEL_INLINE void enter(M& m, std::span<const std::uint32_t> in) {
     push_pointer(m, data + 12 * bytes_of_value);
     push_pointer(m, data);
   }
-  push(m, return_to_caller<M::word_bits>);
+  m.push(return_to_caller<M::word_bits>);
 }
 
 /// Reads the results of `routine`.

@@ -53,7 +53,7 @@ void enter_loop(const LoopForm& form, M& m, const LoopCall& call) {
     set(Register::cx, call.row_step);
   }
   m.registers.write(Register::sp, Size::word, detail::stack_top);
-  detail::push(m, return_to_caller<16>);
+  m.push(return_to_caller<16>);
 }
 
 /// Calls a loop on the interpreter. `code` is code_of() the form, or a mutant of it.

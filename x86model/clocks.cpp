@@ -150,7 +150,7 @@ std::uint32_t effective_address_clocks(const Instruction& i) {
 /// Depends only on AX, except for one clock if the high half of the result is 0. The microcode
 /// takes 134 clocks for AX = FFFFh times 0 or 1, one more than the maximum in Intel's table.
 std::uint32_t mul_on_8088(const Execution& e) {
-  const bool high_is_zero = alu::mul(e.low, e.operand, 16).high == 0;
+  const bool high_is_zero = std::uint64_t{e.low} * e.operand >> 16 == 0;
   return 117 + static_cast<std::uint32_t>(std::popcount(e.low)) + (high_is_zero ? 1 : 0);
 }
 
@@ -184,7 +184,7 @@ bool operand_is(const Execution& e, Operand::Kind kind) {
 bool is_dword(const Execution& e) { return e.instruction.operands[0].size == Size::dword; }
 
 bool multiplies_by_negative(const Execution& e) {
-  return e.instruction.mnemonic == Mnemonic::imul && alu::sign(e.operand, 32);
+  return e.instruction.mnemonic == Mnemonic::imul && e.operand >> 31 != 0;
 }
 
 /// The base-2 logarithm of the multiplier's magnitude, rounded down and up. It is 0 for 0, for

@@ -80,10 +80,10 @@ template <const Program& program, std::size_t entry, std::size_t position, class
   }
   if constexpr (op == Mnemonic::ret) {
     std::uint32_t to = 0;
-    outcome = pop(m, to) ? Outcome::returned : Outcome::bad_address;
+    outcome = m.pop(to) ? Outcome::returned : Outcome::bad_address;
     return false;
   } else if constexpr (op == Mnemonic::call) {
-    if (!push(m, position + 1)) {
+    if (!m.push(position + 1)) {
       outcome = Outcome::bad_address;
       return false;
     }
@@ -99,7 +99,7 @@ template <const Program& program, std::size_t entry, std::size_t position, class
     if constexpr (op == Mnemonic::loop) {
       taken = count_down(m);
     } else {
-      outcome = jump_taken(op, m.flags, taken);
+      outcome = jump_taken(m.domain(), op, m.flags, taken);
     }
     // Backwards: skip all that is left, and let the next pass start there.
     if (taken) target = to > position ? to : program.size + to;

@@ -21,7 +21,7 @@ namespace detail {
 template <class M>
 const Instruction* return_target(std::span<const Instruction> code, const M& m) {
   std::uint32_t to = return_to_caller<M::word_bits>;
-  read_stack(m, m.registers.read(Register::sp, Size::word), to);
+  m.read_top(to);
   return to < code.size() ? &code[to] : nullptr;
 }
 
@@ -32,7 +32,7 @@ Execution execution_at(std::span<const Instruction> code, std::size_t position, 
   const Mnemonic op = execution.instruction.mnemonic;
   const Operand& operand = execution.instruction.operands[0];
   if (is_control_flow(op)) {
-    jump_taken(op, m.flags, execution.taken);
+    jump_taken(m.domain(), op, m.flags, execution.taken);
     if (op == Mnemonic::loop) {
       execution.taken = m.registers.read(Register::cx, Size::word) != 1;
       if (position + 1 < code.size()) execution.next = &code[position + 1];
@@ -49,7 +49,7 @@ Execution execution_at(std::span<const Instruction> code, std::size_t position, 
   } else if (is_multiply(op) || is_divide(op)) {
     execution.low = m.registers.read(Register::ax, operand.size);
     execution.high = m.registers.read(Register::dx, operand.size);
-    read(operand, operand.size, m, execution.operand);
+    m.read(operand, operand.size, execution.operand);
   }
   return execution;
 }

@@ -3,15 +3,11 @@
 #include <algorithm>
 
 #include "x86model/execute.hpp"
+#include "x86model/machine.hpp"
 
 namespace x86model {
 
 namespace {
-
-/// Selects the immediates of the listings: 16-bit words.
-struct FullWidth {
-  static constexpr int word_bits = 16;
-};
 
 bool fits_byte(std::int32_t value) { return value >= -128 && value <= 127; }
 
@@ -81,7 +77,7 @@ Encoding encoding_of(const Instruction& instruction) {
       encoding.displacement = is_near ? 2 : 1;
     }
     if (o.kind != Operand::Kind::immediate) continue;
-    const auto value = static_cast<std::int32_t>(detail::immediate<FullWidth>(o));
+    const auto value = static_cast<std::int32_t>(immediate<16>(o));
     if (detail::is_two_operand(instruction.mnemonic)) {
       encode_immediate(instruction.operands[0], value, encoding);
     } else if (detail::is_double_shift(instruction.mnemonic) || value != 1) {

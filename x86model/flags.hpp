@@ -28,6 +28,18 @@ struct Flags {
 
   friend constexpr bool operator==(const Flags&, const Flags&) = default;
 
+  /// Whether all of these flags are defined.
+  [[nodiscard]] X86MODEL_INLINE bool are_defined(std::uint16_t flags) const noexcept {
+    return (undefined & flags) == 0;
+  }
+  /// A defined flag.
+  [[nodiscard]] X86MODEL_INLINE bool get(Flag flag) const noexcept { return (value & flag) != 0; }
+  /// Member by member: as a whole, g++ stores two halves on the stack and waits to load them as
+  /// one.
+  X86MODEL_INLINE void set(Flags flags) noexcept {
+    value = flags.value;
+    undefined = flags.undefined;
+  }
   /// These flags, with those in `keep` replaced by the ones of `before`.
   [[nodiscard]] X86MODEL_INLINE Flags keeping(std::uint16_t keep, Flags before) const noexcept {
     const auto change = static_cast<std::uint16_t>(~keep);

@@ -42,13 +42,6 @@ std::vector<std::string_view> split_operands(std::string_view text) {
   }
 }
 
-std::optional<Mnemonic> mnemonic_named(std::string_view name) {
-  for (std::size_t i = 0; i < mnemonic_count; ++i) {
-    if (name_of(static_cast<Mnemonic>(i)) == name) return static_cast<Mnemonic>(i);
-  }
-  return std::nullopt;
-}
-
 std::optional<Operand> register_named(std::string_view name) {
   for (std::size_t i = 0; i < register_count; ++i) {
     for (const Size size : {Size::byte, Size::word, Size::dword}) {

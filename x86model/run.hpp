@@ -6,17 +6,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "x86model/encoding.hpp"
 #include "x86model/execute.hpp"
 #include "x86model/inline.hpp"
+#include "x86model/words.hpp"
 
 namespace x86model {
 
 /// The return address of the routine's caller; no routine is this long.
 template <int WordBits>
-inline constexpr std::uint32_t return_to_caller = alu::mask(WordBits);
+inline constexpr std::uint32_t return_to_caller = mask(WordBits);
 
 /// The offset of the first instruction in the code segment, used by computed jumps. Elsewhere code
 /// addresses are positions.
@@ -31,11 +33,11 @@ struct Ending {
 
 namespace detail {
 
-template <class M>
-using Handler = Outcome (*)(const Instruction&, M&);
+template <class I, class M>
+using Handler = Outcome (*)(const I&, M&);
 
-template <Mnemonic op, class M>
-Outcome execute_on_any(const Instruction& instruction, M& m) {
+template <Mnemonic op, class I, class M>
+Outcome execute_on_any(const I& instruction, M& m) {
   return execute<op>(instruction, m);
 }
 
@@ -63,9 +65,9 @@ constexpr bool takes_word_register(Mnemonic op, Operand::Kind second) {
 }
 
 template <Mnemonic op, Operand::Kind second, class M>
-constexpr Handler<M> handler_on_word_register() {
+constexpr Handler<Instruction, M> handler_on_word_register() {
   if constexpr (takes_word_register(op, second)) return &execute_on_word_register<op, second, M>;
-  return &execute_on_any<op, M>;
+  return &execute_on_any<op, Instruction, M>;
 }
 
 /// The number of kinds of operands, rounded up to a power of two, which is faster to index.
@@ -75,16 +77,17 @@ static_assert(static_cast<std::size_t>(Operand::Kind::label) < kinds);
 }  // namespace detail
 
 /// Executes an instruction, chosen at run time, that is not control flow.
-template <class M>
-Outcome execute_any(const Instruction& instruction, M& m) {
+template <class I, class M>
+Outcome execute_any(const I& instruction, M& m) {
   using detail::kinds;
   constexpr auto straight = static_cast<std::size_t>(Mnemonic::jmp);  // those before control flow
   const auto op = static_cast<std::size_t>(instruction.mnemonic);
-  if constexpr (!detail::prefers_small_code) {
-    static constexpr auto on_word_register = []<std::size_t... I>(std::index_sequence<I...>) {
-      return std::array<detail::Handler<M>, sizeof...(I)>{
-          detail::handler_on_word_register<static_cast<Mnemonic>(I / kinds),
-                                           static_cast<Operand::Kind>(I % kinds), M>()...};
+  constexpr bool computes_words = std::is_same_v<typename M::Domain, Words>;
+  if constexpr (computes_words && !detail::prefers_small_code) {
+    static constexpr auto on_word_register = []<std::size_t... N>(std::index_sequence<N...>) {
+      return std::array<detail::Handler<Instruction, M>, sizeof...(N)>{
+          detail::handler_on_word_register<static_cast<Mnemonic>(N / kinds),
+                                           static_cast<Operand::Kind>(N % kinds), M>()...};
     }
     (std::make_index_sequence<straight * kinds>{});
     const Operand& first = instruction.operands[0];
@@ -93,9 +96,9 @@ Outcome execute_any(const Instruction& instruction, M& m) {
       return on_word_register[op * kinds + second](instruction, m);
     }
   }
-  static constexpr auto on_any = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<detail::Handler<M>, sizeof...(I)>{
-        &detail::execute_on_any<static_cast<Mnemonic>(I), M>...};
+  static constexpr auto on_any = []<std::size_t... N>(std::index_sequence<N...>) {
+    return std::array<detail::Handler<I, M>, sizeof...(N)>{
+        &detail::execute_on_any<static_cast<Mnemonic>(N), I, M>...};
   }
   (std::make_index_sequence<straight>{});
   return on_any[op](instruction, m);
@@ -106,15 +109,15 @@ Outcome execute_any(const Instruction& instruction, M& m) {
 /// @param next before: the address of the instruction after it; after: of the one to execute next
 template <class M>
 X86MODEL_INLINE Outcome transfer(Mnemonic op, M& m, std::uint32_t target, std::uint32_t& next) {
-  if (op == Mnemonic::ret) return detail::pop(m, next) ? Outcome::proceeds : Outcome::bad_address;
+  if (op == Mnemonic::ret) return m.pop(next) ? Outcome::proceeds : Outcome::bad_address;
   bool taken = false;
   Outcome outcome = Outcome::proceeds;
   if (op == Mnemonic::loop) {
     taken = count_down(m);
   } else {
-    outcome = jump_taken(op, m.flags, taken);
+    outcome = jump_taken(m.domain(), op, m.flags, taken);
   }
-  if (op == Mnemonic::call && !detail::push(m, next)) outcome = Outcome::bad_address;
+  if (op == Mnemonic::call && !m.push(next)) outcome = Outcome::bad_address;
   if (taken && outcome == Outcome::proceeds) next = target;
   return outcome;
 }

@@ -109,6 +109,13 @@ std::string_view name_of(Register r, Size size) {
 
 std::string_view name_of(Mnemonic m) { return mnemonics.at(static_cast<std::size_t>(m)); }
 
+std::optional<Mnemonic> mnemonic_named(std::string_view name) {
+  for (std::size_t i = 0; i < mnemonic_count; ++i) {
+    if (name_of(static_cast<Mnemonic>(i)) == name) return static_cast<Mnemonic>(i);
+  }
+  return std::nullopt;
+}
+
 std::string_view name_of(Routine r) { return listing(r, Target::i386).rows.front().label; }
 
 std::string_view name_of(Counting counting) {

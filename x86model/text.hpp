@@ -2,6 +2,7 @@
 /// Instructions and routines as text in NASM syntax.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,8 @@ namespace x86model {
 std::string_view name_of(Register r, Size size);
 /// The assembler's spelling of the mnemonic.
 std::string_view name_of(Mnemonic m);
+/// The mnemonic of this spelling, if some routine uses it.
+std::optional<Mnemonic> mnemonic_named(std::string_view name);
 /// The procedure's name in FIXED.ASM.
 std::string_view name_of(Routine r);
 

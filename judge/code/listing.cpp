@@ -17,7 +17,6 @@ namespace {
 
 /// Bytes of code that one run of ndisasm reads.
 constexpr std::uint32_t window = 512;
-constexpr std::uint32_t nowhere = 0xFFFFFFFF;
 
 }  // namespace
 
@@ -48,12 +47,12 @@ std::string mnemonic_of(const Line& line) {
 }
 
 std::uint32_t target_of(const Line& line) {
-  if (!is_jump(mnemonic_of(line))) return nowhere;
+  if (!is_jump(mnemonic_of(line))) return no_target;
   const std::size_t hex = line.text.rfind(" 0x");
   const bool in_memory = line.text.find('[') != std::string::npos;
   const bool is_far = line.text.find(':') != std::string::npos;
-  if (hex == std::string::npos || in_memory || is_far) return nowhere;
-  std::uint32_t target = nowhere;
+  if (hex == std::string::npos || in_memory || is_far) return no_target;
+  std::uint32_t target = no_target;
   std::from_chars(line.text.data() + hex + 3, line.text.data() + line.text.size(), target, 16);
   return target;
 }
@@ -73,7 +72,7 @@ std::vector<Line> reachable(const Image& image, Listing& listing) {
     while (image.code_at(at) >= image.first && image.code_at(at) < image.end &&
            !found.contains(at)) {
       const Line& line = found.try_emplace(at, listing.at(at)).first->second;
-      if (const std::uint32_t target = target_of(line); target != nowhere) left.push_back(target);
+      if (const std::uint32_t target = target_of(line); target != no_target) left.push_back(target);
       if (ends_flow(line)) break;
       at += line.bytes;
     }

@@ -26,8 +26,9 @@ class Listing {
   std::map<std::uint32_t, Line> lines_;
 };
 
-/// Returns the target of a near jump or call whose target is fixed, or 0xFFFFFFFF for any other
+/// Returns the target of a near jump or call whose target is fixed, or `no_target` for any other
 /// instruction.
+inline constexpr std::uint32_t no_target = 0xFFFFFFFF;
 std::uint32_t target_of(const Line& line);
 /// Tells whether execution never goes on to the next instruction in memory: after JMP, a return,
 /// HLT or a byte that is no instruction.

@@ -2,32 +2,64 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
-#include <set>
+#include <string_view>
 #include <utility>
 
 #include "judge/code/operand.hpp"
 #include "judge/code/symbolic_machine.hpp"
-#include "x86model/symbolic/alu.hpp"
+#include "x86model/alu.hpp"
+#include "x86model/run.hpp"
+#include "x86model/text.hpp"
 
 namespace fixproof::judge {
 
 namespace {
 
+namespace alu = x86model::alu;
 namespace sym = x86model::symbolic;
 using sym::Term;
-using x86model::Mnemonic;
 using x86model::Register;
 using x86model::Size;
+
+/// A path in progress.
+struct Thread {
+  sym::State state;
+  Term condition;
+  std::uint32_t at = 0;  ///< offset of the next instruction
+};
+
+/// A disassembled instruction as x86model/execute.hpp takes it.
+struct Instruction {
+  std::array<Operand, 3> operands{};
+  std::size_t count = 0;
+  x86model::Mnemonic mnemonic{};  ///< if a listing has it
+};
+
+constexpr const char* unknown_flag = "it reads a flag that is undefined or not modelled";
+
+/// The condition whose name a jump or a set instruction ends in.
+std::optional<alu::Condition> condition_named(std::string_view name) {
+  static const std::map<std::string_view, int> codes{
+      {"o", 0},   {"no", 1},  {"b", 2},   {"c", 2},  {"nae", 2}, {"ae", 3},   {"nb", 3},
+      {"nc", 3},  {"e", 4},   {"z", 4},   {"ne", 5}, {"nz", 5},  {"be", 6},   {"na", 6},
+      {"a", 7},   {"nbe", 7}, {"s", 8},   {"ns", 9}, {"l", 12},  {"nge", 12}, {"ge", 13},
+      {"nl", 13}, {"le", 14}, {"ng", 14}, {"g", 15}, {"nle", 15}};
+  const auto found = codes.find(name);
+  if (found == codes.end()) return std::nullopt;
+  return static_cast<alu::Condition>(found->second);
+}
 
 constexpr std::size_t max_paths = 200;
 constexpr std::size_t max_steps = 20'000;
 
-class Explorer : private SymbolicMachine {
+class Explorer {
  public:
   Explorer(const Subject& subject, Listing& listing, sym::Terms& terms)
-      : SymbolicMachine(subject.image, terms), subject_(subject), listing_(listing) {}
+      : image_(subject.image), t_(terms), subject_(subject), listing_(listing) {}
 
   std::vector<Path> all() {
     threads_.push_back(start());
@@ -47,12 +79,14 @@ class Explorer : private SymbolicMachine {
     for (std::size_t r = 0; r < x86model::register_count; ++r) {
       thread.state.registers.at(r) = t_.variable(sym::numbered("register", r), 32);
     }
+    ImageMachine machine(image_, t_, thread.state);
+    const int width = image_.bits;
     const auto parameters = parameters_of(subject_.variant);
     std::uint32_t top = image_.stack_top;
     const auto push_all = [&](std::size_t i) {
-      const Term value = extended(parameters[i], i, std::max(width(), parameters[i].bits));
+      const Term value = extended(parameters[i], i, std::max(width, parameters[i].bits));
       top -= static_cast<std::uint32_t>(t_.width(value) / 8);
-      store_at(thread, image_.data_at(top), value);
+      machine.store_at(image_.data_at(top), value);
     };
     const Frame& frame = subject_.frame;
     for (std::size_t i = 0; frame.on_stack && i < parameters.size(); ++i) {
@@ -66,18 +100,17 @@ class Explorer : private SymbolicMachine {
       const Term value = extended(parameters[i], i, bits);
       for (const RegisterName& part : frame.in[i].parts) {
         bits -= bits_of(part);
-        thread.state.write(t_, part.number, part.size, t_.extract(value, bits, bits_of(part)));
+        machine.write(part.number, part.size, t_.extract(value, bits, bits_of(part)));
       }
     }
-    const std::uint32_t slot = static_cast<std::uint32_t>(width()) / 8;
+    const std::uint32_t slot = static_cast<std::uint32_t>(width) / 8;
     if (frame.is_far) {
       top -= slot;
-      store_at(thread, image_.data_at(top), t_.constant(image_.code_segment, width()));
+      machine.store_at(image_.data_at(top), t_.constant(image_.code_segment, width));
     }
     top -= slot;
-    store_at(thread, image_.data_at(top), t_.constant(image_.exit, width()));
-    const RegisterName sp = word_register(Register::sp);
-    thread.state.write(t_, sp.number, sp.size, t_.constant(top, width()));
+    machine.store_at(image_.data_at(top), t_.constant(image_.exit, width));
+    machine.write(Register::sp, machine.word(), t_.constant(top, width));
     begin_ = thread.state;
     return thread;
   }
@@ -104,7 +137,8 @@ class Explorer : private SymbolicMachine {
     throw Obstacle(fmt::format("a path has more than {} instructions", max_steps));
   }
 
-  void returned(const Thread& thread) {
+  void returned(Thread& thread) {
+    const ImageMachine machine(image_, t_, thread.state);
     Path path{.condition = thread.condition};
     const int bits = subject_.variant.format.word_bits;
     const Frame& frame = subject_.frame;
@@ -112,19 +146,19 @@ class Explorer : private SymbolicMachine {
     if (!frame.on_stack) {
       parts = frame.out.front().parts;
     } else {
-      if (bits > width()) parts.push_back(word_register(Register::dx));
-      parts.push_back(word_register(Register::ax));
+      if (bits > image_.bits) parts.push_back({Register::dx, machine.word()});
+      parts.push_back({Register::ax, machine.word()});
     }
     std::optional<Term> value;
     for (const RegisterName& part : parts) {
-      const Term read = thread.state.read(t_, part.number, part.size);
+      const Term read = machine.read(part.number, part.size);
       value = value ? sym::join(t_, *value, read) : read;
     }
     path.result = t_.extract(*value, 0, bits);
-    const RegisterName sp = word_register(Register::sp);
-    path.kept = t_.equal(thread.state.read(t_, sp.number, sp.size), t_.constant(after_, width()));
+    path.kept =
+        t_.equal(machine.read(Register::sp, machine.word()), t_.constant(after_, image_.bits));
     for (const RegisterName& kept : frame.kept) {
-      path.kept = t_.both(path.kept, t_.equal(thread.state.read(t_, kept.number, kept.size),
+      path.kept = t_.both(path.kept, t_.equal(machine.read(kept.number, kept.size),
                                               begin_.read(t_, kept.number, kept.size)));
     }
     paths_.push_back(path);
@@ -133,214 +167,166 @@ class Explorer : private SymbolicMachine {
   /// Executes one instruction. Returns false if it is not modelled.
   bool step(Thread& thread, const Line& line) {
     const std::string m = line.text.substr(0, line.text.find(' '));
-    const auto parsed = operands_of(line);
-    if (!parsed) return false;
-    const auto& o = *parsed;
-    int bits = o.empty() ? width() : o[0].bits;
-    for (const Operand& operand : o) {
-      if (operand.kind == Operand::Kind::reg && bits == 0) bits = bits_of(operand.reg);
-    }
-    if (!o.empty() && o[0].kind == Operand::Kind::reg) bits = bits_of(o[0].reg);
-    if (o.size() == 1 && transferred(thread, m, o[0], line)) return true;
-    if (o.size() <= 1 && (m == "ret" || m == "retf")) {
-      const Term to = pop(thread, width());
+    const auto operands = operands_of(line);
+    if (!operands || operands->size() > 3) return false;
+    Instruction i{.count = operands->size()};
+    std::copy(operands->begin(), operands->end(), i.operands.begin());
+    ImageMachine machine(image_, t_, thread.state);
+    if (i.count <= 1 && (m == "ret" || m == "retf")) {
+      const Term to = machine.pop(machine.word());
       if (!t_.is_constant(to)) return false;
       thread.at = static_cast<std::uint32_t>(t_.value(to));
-      if (m == "retf") pop(thread, width());
-      if (o.size() == 1) move_stack(thread, o[0].value);
+      if (m == "retf") machine.pop(machine.word());
+      if (i.count == 1) machine.move_stack(i.operands[0].value);
       return true;
     }
-    if (bits == 0) return false;
-    return sign_extended(thread, m) || moved(thread, m, o, bits) || computed(thread, m, o, bits) ||
-           multiplied(thread, m, o, bits);
+    if (target_of(line) != no_target) return transferred(thread, machine, m, target_of(line));
+    const auto size = size_of(i, m);
+    if (!size) return false;
+    for (Operand& operand : i.operands) operand.size = *size;
+    const bool done = execute_shared(machine, m, i) || execute_users(machine, m, i, *size);
+    if (machine.fault) {
+      paths_.push_back(
+          {.condition = t_.both(thread.condition, machine.fault->condition), .divide_error = true});
+      thread.condition = t_.both(thread.condition, t_.negation(machine.fault->condition));
+    }
+    return done;
   }
 
-  bool transferred(Thread& thread, const std::string& m, const Operand& o, const Line& line) {
-    if (m.starts_with("set") && o.kind != Operand::Kind::immediate) {
-      const auto c = condition(thread, m.substr(3));
-      if (c) write(thread, o, t_.ite(*c, t_.constant(1, 8), t_.constant(0, 8)));
-      return c.has_value();
+  /// The size of the operands: that of a register, or what the text says.
+  [[nodiscard]] std::optional<Size> size_of(const Instruction& i, const std::string& m) const {
+    if (i.count == 0) return image_.bits == 16 ? Size::word : Size::dword;
+    int bits = i.operands[0].bits;
+    for (std::size_t n = 0; n < i.count; ++n) {
+      const Operand& o = i.operands.at(n);
+      if (o.kind == Operand::Kind::reg && (n == 0 || bits == 0)) bits = bits_of(o.reg);
     }
-    if (o.kind != Operand::Kind::immediate || target_of(line) != o.value) return false;
-    if (m == "call") push(thread, t_.constant(thread.at, width()));
+    if (m == "push" && i.operands[0].kind == Operand::Kind::immediate) bits = image_.bits;
+    if (bits == 0) return std::nullopt;
+    return bits == 8 ? Size::byte : bits == 16 ? Size::word : Size::dword;
+  }
+
+  /// A jump or call with a fixed target.
+  bool transferred(Thread& thread, ImageMachine& machine, const std::string& m, std::uint32_t to) {
+    if (m == "call") machine.push(t_.constant(thread.at, machine.width()));
     if (m == "call" || m == "jmp") {
-      thread.at = o.value;
+      thread.at = to;
       return true;
     }
-    if (!m.starts_with('j')) return false;
-    const auto taken = condition(thread, m.substr(1));
-    if (!taken) return false;
-    if (t_.is_constant(*taken)) {
-      if (t_.value(*taken) != 0) thread.at = o.value;
+    const auto condition = condition_named(m.substr(1));
+    if (!m.starts_with('j') || !condition) return false;
+    const Term taken = holds(machine, *condition);
+    if (t_.is_constant(taken)) {
+      if (t_.value(taken) != 0) thread.at = to;
       return true;
     }
     if (paths_.size() + threads_.size() > max_paths) {
       throw Obstacle(fmt::format("there are more than {} paths", max_paths));
     }
     Thread other = thread;
-    other.at = o.value;
-    other.condition = t_.both(thread.condition, *taken);
-    thread.condition = t_.both(thread.condition, t_.negation(*taken));
+    other.at = to;
+    other.condition = t_.both(thread.condition, taken);
+    thread.condition = t_.both(thread.condition, t_.negation(taken));
     threads_.push_back(std::move(other));
     return true;
   }
 
-  /// CWD, CDQ and CWDE extend AX or EAX by its sign.
-  bool sign_extended(Thread& thread, const std::string& m) {
-    if (m != "cwd" && m != "cdq" && m != "cwde") return false;
-    const Size size = m == "cdq" ? Size::dword : Size::word;
-    const int n = size == Size::dword ? 32 : 16;
-    const Term wide = t_.sign_extend(thread.state.read(t_, Register::ax, size), 2 * n);
-    if (m == "cwde") {
-      thread.state.write(t_, Register::ax, Size::dword, wide);
-    } else {
-      thread.state.write(t_, Register::dx, size, t_.extract(wide, n, n));
-    }
-    return true;
+  static Term holds(const ImageMachine& machine, alu::Condition condition) {
+    if (!machine.flags.are_defined(alu::flags_read(condition))) throw Obstacle(unknown_flag);
+    return alu::holds(machine.domain(), condition, machine.flags);
   }
 
-  bool moved(Thread& thread, const std::string& m, const std::vector<Operand>& o, int bits) {
-    if (m == "nop" && o.empty()) return true;
-    if (m == "mov" && o.size() == 2) return write(thread, o[0], read(thread, o[1], bits)), true;
-    if (m == "push" && o.size() == 1) {
-      push(thread, read(thread, o[0], o[0].kind == Operand::Kind::immediate ? width() : bits));
-      return true;
+  /// The instructions that the listings use too.
+  static bool execute_shared(ImageMachine& machine, const std::string& m, Instruction& i) {
+    using x86model::Outcome;
+    const auto op = x86model::mnemonic_named(m == "sal" ? "shl" : m);
+    if (!op || x86model::is_control_flow(*op)) return false;
+    using namespace x86model::detail;
+    if ((is_multiply(*op) || is_divide(*op)) &&
+        (i.count != 1 || i.operands[0].size == Size::byte)) {
+      return false;
     }
-    if (m == "pop" && o.size() == 1) return write(thread, o[0], pop(thread, bits)), true;
-    if (m == "xchg" && o.size() == 2) {
-      const Term first = read(thread, o[0], bits);
-      write(thread, o[0], read(thread, o[1], bits));
-      write(thread, o[1], first);
-      return true;
+    if (is_double_shift(*op) && (i.operands[2].value & 31U) >= 16 &&
+        i.operands[0].size == Size::word) {
+      return false;
+    }
+    i.mnemonic = *op;
+    const Outcome outcome = x86model::execute_any(i, machine);
+    if (outcome == Outcome::undefined_flag) throw Obstacle(unknown_flag);
+    return outcome == Outcome::proceeds;
+  }
+
+  /// The instructions that only users' code has.
+  bool execute_users(ImageMachine& machine, const std::string& m, const Instruction& i, Size size) {
+    const sym::Domain d = machine.domain();
+    const int bits = ImageMachine::bits_of(size);
+    const Operand& first = i.operands[0];
+    const auto value = [&](std::size_t n) {
+      Term term;
+      machine.read(i.operands.at(n), size, term);
+      return term;
+    };
+    if (i.count == 0) return execute_without_operands(machine, m);
+    if (m.starts_with("set") && i.count == 1) {
+      const auto condition = condition_named(m.substr(3));
+      if (!condition) return false;
+      const Term truth = holds(machine, *condition);
+      return machine.write(first, size, t_.ite(truth, t_.constant(1, 8), t_.constant(0, 8)));
+    }
+    if (m == "not" && i.count == 1) {
+      return machine.write(first, size, t_.bit_xor(value(0), t_.constant(~std::uint64_t{0}, bits)));
+    }
+    if (m == "imul" && i.count > 1 && size != Size::byte) {
+      const auto product = alu::imul(d, value(i.count - 2), value(i.count - 1), bits);
+      machine.flags = product.flags;
+      return machine.write(first, size, d.extract(product.wide, 0, bits));
+    }
+    if (i.count != 2) return false;
+    if (m == "or" || m == "test") {
+      const Term both = d.bit_and(value(0), value(1));
+      const Term either = d.bit_xor(d.bit_xor(value(0), value(1)), both);
+      const auto result = alu::logic(d, m == "or" ? either : both, bits);
+      machine.flags = result.flags;
+      return m == "test" || machine.write(first, size, result.value);
+    }
+    if (m == "xchg") {
+      const Term old = value(0);
+      return machine.write(first, size, value(1)) && machine.write(i.operands[1], size, old);
     }
     if (m == "movzx" || m == "movsx") {
-      const int from = o[1].kind == Operand::Kind::reg ? bits_of(o[1].reg) : o[1].bits;
-      if (from == 0 || from >= bits) return false;
-      const Term value = read(thread, o[1], from);
-      write(thread, o[0], m == "movzx" ? t_.zero_extend(value, bits) : t_.sign_extend(value, bits));
-      return true;
-    }
-    if (m == "leave" && o.empty()) {
-      const RegisterName bp = word_register(Register::bp);
-      const RegisterName sp = word_register(Register::sp);
-      thread.state.write(t_, sp.number, sp.size, thread.state.read(t_, bp.number, bp.size));
-      thread.state.write(t_, bp.number, bp.size, pop(thread, width()));
-      return true;
+      const Operand& from = i.operands[1];
+      const int given = from.kind == Operand::Kind::reg ? bits_of(from.reg) : from.bits;
+      if (given == 0 || given >= bits) return false;
+      Term narrow;
+      machine.read(from, given == 8 ? Size::byte : Size::word, narrow);
+      return machine.write(
+          first, size, m == "movzx" ? t_.zero_extend(narrow, bits) : t_.sign_extend(narrow, bits));
     }
     return false;
   }
 
-  bool set(Thread& thread, const Operand& to, const sym::Result& result) {
-    write(thread, to, result.value);
-    thread.state.flags = result.flags;
+  bool execute_without_operands(ImageMachine& machine, const std::string& m) {
+    if (m == "nop") return true;
+    if (m == "leave") {
+      machine.write(Register::sp, machine.word(), machine.read(Register::bp, machine.word()));
+      machine.write(Register::bp, machine.word(), machine.pop(machine.word()));
+      return true;
+    }
+    // CWD, CDQ and CWDE extend AX or EAX by its sign.
+    if (m != "cwd" && m != "cdq" && m != "cwde") return false;
+    const Size size = m == "cdq" ? Size::dword : Size::word;
+    const int bits = ImageMachine::bits_of(size);
+    const Term wide = t_.sign_extend(machine.read(Register::ax, size), 2 * bits);
+    if (m == "cwde") {
+      machine.write(Register::ax, Size::dword, wide);
+    } else {
+      machine.write(Register::dx, size, t_.extract(wide, bits, bits));
+    }
     return true;
   }
 
-  bool shifted(Thread& thread, const std::string& m, const std::vector<Operand>& o, int bits) {
-    static const std::map<std::string, Mnemonic> known{
-        {"shl", Mnemonic::shl},  {"sal", Mnemonic::shl}, {"shr", Mnemonic::shr},
-        {"sar", Mnemonic::sar},  {"rol", Mnemonic::rol}, {"shld", Mnemonic::shld},
-        {"shrd", Mnemonic::shrd}};
-    const auto shift = known.find(m);
-    if (shift == known.end() || o.back().kind != Operand::Kind::immediate) return false;
-    const int count = static_cast<int>(o.back().value & 31U);
-    if (count == 0) return true;
-    const Term a = read(thread, o[0], bits);
-    if (o.size() == 2) {
-      const sym::FlagTerms before = thread.state.flags;
-      set(thread, o[0], sym::shift(t_, shift->second, a, count));
-      if (m == "rol") {
-        thread.state.flags.zero = before.zero;
-        thread.state.flags.sign = before.sign;
-      }
-      return true;
-    }
-    if (count >= bits) return false;
-    return set(thread, o[0],
-               sym::double_shift(t_, shift->second, a, read(thread, o[1], bits), count));
-  }
-
-  bool computed_from_one(Thread& thread, const std::string& m, const Operand& o, int bits) {
-    if (m != "neg" && m != "not" && m != "inc" && m != "dec") return false;
-    const Term no_borrow = t_.truth(false);
-    const Term a = read(thread, o, bits);
-    const Term one = t_.constant(1, bits);
-    if (m == "neg") return set(thread, o, sym::sub(t_, t_.constant(0, bits), a, no_borrow));
-    if (m == "not") {
-      write(thread, o, t_.bit_xor(a, t_.constant(~std::uint64_t{0}, bits)));
-      return true;
-    }
-    const sym::FlagTerm carry = thread.state.flags.carry;
-    set(thread, o, m == "inc" ? sym::add(t_, a, one, no_borrow) : sym::sub(t_, a, one, no_borrow));
-    thread.state.flags.carry = carry;
-    return true;
-  }
-
-  bool computed_from_two(Thread& thread, const std::string& m, const std::vector<Operand>& o,
-                         int bits) {
-    static const std::set<std::string> known{"add", "adc",  "sub", "sbb", "cmp",
-                                             "and", "test", "or",  "xor"};
-    if (!known.contains(m)) return false;
-    const Term a = read(thread, o[0], bits);
-    const Term b = read(thread, o[1], bits);
-    const Term carry =
-        m == "adc" || m == "sbb" ? defined(thread.state.flags.carry) : t_.truth(false);
-    const auto result = [&] {
-      if (m == "add" || m == "adc") return sym::add(t_, a, b, carry);
-      // SBB of a register from itself spreads the carry.
-      if (m == "sub" || m == "sbb" || m == "cmp") return sym::sub(t_, a, b, carry);
-      if (m == "xor") return sym::logic(t_, t_.bit_xor(a, b));
-      const Term both = t_.bit_and(a, b);
-      return sym::logic(t_, m == "or" ? t_.bit_xor(t_.bit_xor(a, b), both) : both);
-    }();
-    if (m == "cmp" || m == "test") {
-      thread.state.flags = result.flags;
-      return true;
-    }
-    return set(thread, o[0], result);
-  }
-
-  bool computed(Thread& thread, const std::string& m, const std::vector<Operand>& o, int bits) {
-    if (o.empty()) return false;
-    return shifted(thread, m, o, bits) ||
-           (o.size() == 1 && computed_from_one(thread, m, o[0], bits)) ||
-           (o.size() == 2 && computed_from_two(thread, m, o, bits));
-  }
-
-  bool multiplied(Thread& thread, const std::string& m, const std::vector<Operand>& o, int bits) {
-    const bool divides = m == "div" || m == "idiv";
-    if ((m != "mul" && m != "imul" && !divides) || bits == 8 || o.empty()) return false;
-    const Size size = bits == 16 ? Size::word : Size::dword;
-    sym::State& state = thread.state;
-    if (o.size() > 1) {
-      const Term a = read(thread, o[o.size() == 3 ? 1 : 0], bits);
-      const auto product = sym::multiply(t_, Mnemonic::imul, a, read(thread, o.back(), bits));
-      write(thread, o[0], t_.extract(product.value, 0, bits));
-      state.flags = product.flags;
-      return true;
-    }
-    const Term operand = read(thread, o[0], bits);
-    if (!divides) {
-      const auto product = sym::multiply(t_, m == "mul" ? Mnemonic::mul : Mnemonic::imul,
-                                         state.read(t_, Register::ax, size), operand);
-      state.write(t_, Register::ax, size, t_.extract(product.value, 0, bits));
-      state.write(t_, Register::dx, size, t_.extract(product.value, bits, bits));
-      state.flags = product.flags;
-      return true;
-    }
-    const Term dividend =
-        t_.concat(state.read(t_, Register::dx, size), state.read(t_, Register::ax, size));
-    const auto division =
-        sym::divide(t_, m == "div" ? Mnemonic::div : Mnemonic::idiv, dividend, operand);
-    paths_.push_back(
-        {.condition = t_.both(thread.condition, division.faults), .divide_error = true});
-    thread.condition = t_.both(thread.condition, t_.negation(division.faults));
-    state.write(t_, Register::ax, size, division.quotient);
-    state.write(t_, Register::dx, size, division.remainder);
-    state.flags = {};
-    return true;
-  }
-
+  const Image& image_;
+  sym::Terms& t_;
   const Subject& subject_;
   Listing& listing_;
   std::vector<Thread> threads_;

@@ -31,7 +31,7 @@ struct SymbolicRun {
 std::string operand_name(std::size_t index);
 
 /// Follows every path of a routine that takes and returns plain numbers. Products and quotients
-/// become the abstract functions of x86model/symbolic/alu.hpp.
+/// become the abstract functions of x86model/symbolic/domain.hpp.
 SymbolicRun run_symbolically(const Subject& subject, Listing& listing,
                              x86model::symbolic::Terms& terms);
 

@@ -200,7 +200,7 @@ TimedLine timed_line(const Line& line, std::span<const std::uint8_t> bytes, int 
   timed.line = line;
   timed.mnemonic = mnemonic_of(line);
   count_parts(timed, bytes, code_bits);
-  if (target_of(line) != 0xFFFFFFFF) {
+  if (target_of(line) != no_target) {
     timed.shape += 'i';
     return timed;
   }

@@ -2,11 +2,17 @@
 // unsigned result is out of range, OF the signed result, AF the low hex digit.
 #include "x86model/alu.hpp"
 
+#include <optional>
+
 #include "tests/support/test.hpp"
+#include "x86model/words.hpp"
 
 namespace {
 
 using namespace x86model;
+using Result = alu::Result<Words>;
+
+constexpr Words numbers;
 
 int signed_value(std::uint32_t v) {
   return v < 128 ? static_cast<int>(v) : static_cast<int>(v) - 256;
@@ -35,7 +41,7 @@ TEST(Alu, AdditionByRanges) {
   for (std::uint32_t a = 0; a < 256; ++a) {
     for (std::uint32_t b = 0; b < 256; ++b) {
       for (const std::uint32_t carry : {0U, 1U}) {
-        const alu::Result r = alu::add(a, b, carry != 0, 8);
+        const Result r = alu::add(numbers, a, b, carry != 0, 8);
         const std::uint32_t sum = a + b + carry;
         ASSERT_EQ(r.value, sum % 256);
         const int s = signed_value(a) + signed_value(b) + static_cast<int>(carry);
@@ -53,7 +59,7 @@ TEST(Alu, SubtractionByRanges) {
       for (const int borrow : {0, 1}) {
         const auto ua = static_cast<std::uint32_t>(a);
         const auto ub = static_cast<std::uint32_t>(b);
-        const alu::Result r = alu::sub(ua, ub, borrow != 0, 8);
+        const Result r = alu::sub(numbers, ua, ub, borrow != 0, 8);
         const int difference = a - b - borrow;
         const auto value = static_cast<std::uint32_t>((difference + 512) % 256);
         ASSERT_EQ(r.value, value);
@@ -68,8 +74,8 @@ TEST(Alu, SubtractionByRanges) {
 
 TEST(Alu, LogicLeavesOnlyAuxiliaryCarryUndefined) {
   for (std::uint32_t v = 0; v < 256; ++v) {
-    EXPECT_EQ(alu::logic(v, 8).flags.value, flags(false, false, false, v));
-    EXPECT_EQ(alu::logic(v, 8).flags.undefined, AF);
+    EXPECT_EQ(alu::logic(numbers, v, 8).flags.value, flags(false, false, false, v));
+    EXPECT_EQ(alu::logic(numbers, v, 8).flags.undefined, AF);
   }
 }
 
@@ -85,8 +91,7 @@ Shifted bit_by_bit(std::uint32_t v, int count, Step step) {
   return s;
 }
 
-void expect_shift(const alu::Result& r, const Shifted& s, int count, bool overflow,
-                  bool carry_defined) {
+void expect_shift(const Result& r, const Shifted& s, int count, bool overflow, bool carry_defined) {
   ASSERT_EQ(r.value, s.value);
   const std::uint16_t undefined =
       static_cast<std::uint16_t>(AF | (count == 1 ? 0 : OF) | (carry_defined ? 0 : CF));
@@ -102,15 +107,16 @@ TEST(Alu, ShiftsBitByBit) {
       const Shifted left = bit_by_bit(v, count, [](Shifted s) {
         return Shifted{s.value * 2 % 256, s.value >= 128};
       });
-      expect_shift(alu::shl(v, count, 8), left, count, (left.value >= 128) != left.carry, fits);
+      expect_shift(alu::shl(numbers, v, count, 8), left, count, (left.value >= 128) != left.carry,
+                   fits);
       const Shifted right = bit_by_bit(v, count, [](Shifted s) {
         return Shifted{s.value / 2, s.value % 2 == 1};
       });
-      expect_shift(alu::shr(v, count, 8), right, count, v >= 128, fits);
+      expect_shift(alu::shr(numbers, v, count, 8), right, count, v >= 128, fits);
       const Shifted arithmetic = bit_by_bit(v, count, [](Shifted s) {
         return Shifted{s.value / 2 + (s.value >= 128 ? 128 : 0), s.value % 2 == 1};
       });
-      expect_shift(alu::sar(v, count, 8), arithmetic, count, false, true);
+      expect_shift(alu::sar(numbers, v, count, 8), arithmetic, count, false, true);
     }
   }
 }
@@ -121,7 +127,7 @@ TEST(Alu, RotationTouchesOnlyCarryAndOverflow) {
       const Shifted turned = bit_by_bit(v, count, [](Shifted s) {
         return Shifted{s.value * 2 % 256 + s.value / 128, s.value >= 128};
       });
-      const alu::Result r = alu::rol(v, count, 8);
+      const Result r = alu::rol(numbers, v, count, 8);
       ASSERT_EQ(r.value, turned.value);
       ASSERT_EQ(r.flags.undefined, count == 1 ? 0 : OF);
       const bool overflow = count == 1 && (turned.value >= 128) != turned.carry;
@@ -140,16 +146,16 @@ TEST(Alu, DoubleShiftsBitByBit) {
           rest = rest * 2 % 256;
           return next;
         });
-        expect_shift(alu::shld(v, fill, count, 8), left, count, (v >= 128) != (left.value >= 128),
-                     true);
+        expect_shift(alu::shld(numbers, v, fill, count, 8), left, count,
+                     (v >= 128) != (left.value >= 128), true);
         rest = fill;
         const Shifted right = bit_by_bit(v, count, [&](Shifted s) {
           const Shifted next{s.value / 2 + rest % 2 * 128, s.value % 2 == 1};
           rest /= 2;
           return next;
         });
-        expect_shift(alu::shrd(v, fill, count, 8), right, count, (v >= 128) != (right.value >= 128),
-                     true);
+        expect_shift(alu::shrd(numbers, v, fill, count, 8), right, count,
+                     (v >= 128) != (right.value >= 128), true);
       }
     }
   }
@@ -158,22 +164,38 @@ TEST(Alu, DoubleShiftsBitByBit) {
 TEST(Alu, ProductsSayWhetherTheHighHalfMatters) {
   for (std::uint32_t a = 0; a < 256; ++a) {
     for (std::uint32_t b = 0; b < 256; ++b) {
-      const alu::Product u = alu::mul(a, b, 8);
-      ASSERT_EQ(u.low + 256 * u.high, a * b);
+      const alu::Product<Words> u = alu::mul(numbers, a, b, 8);
+      ASSERT_EQ(u.wide, a * b);
       ASSERT_EQ(u.flags.value, a * b > 255 ? CF | OF : 0);
-      const alu::Product s = alu::imul(a, b, 8);
+      const alu::Product<Words> s = alu::imul(numbers, a, b, 8);
       const int product = signed_value(a) * signed_value(b);
-      ASSERT_EQ(s.low + 256 * s.high, static_cast<std::uint32_t>(product + 65536) % 65536);
+      ASSERT_EQ(s.wide, static_cast<std::uint64_t>(product));
       ASSERT_EQ(s.flags.value, outside_signed(product) ? CF | OF : 0);
       ASSERT_EQ(s.flags.undefined, SF | ZF | AF | PF);
     }
   }
 }
 
+struct Quotient {
+  std::uint32_t quotient;
+  std::uint32_t remainder;
+};
+std::optional<Quotient> divide(std::uint32_t high, std::uint32_t low, std::uint32_t d, int bits) {
+  if (alu::div_faults(numbers, high, d)) return std::nullopt;
+  const std::uint64_t n = numbers.join(high, low, bits);
+  return Quotient{numbers.unsigned_quotient(n, d, bits), numbers.unsigned_remainder(n, d, bits)};
+}
+std::optional<Quotient> divide_signed(std::uint32_t high, std::uint32_t low, std::uint32_t d,
+                                      int bits) {
+  const std::uint64_t n = numbers.join(high, low, bits);
+  if (numbers.signed_quotient_overflows(n, d, bits)) return std::nullopt;
+  return Quotient{numbers.signed_quotient(n, d, bits), numbers.signed_remainder(n, d, bits)};
+}
+
 TEST(Alu, QuotientsOrFaults) {
   for (std::uint32_t n = 0; n < 65536; n += 7) {
     for (std::uint32_t d = 0; d < 256; ++d) {
-      const auto u = alu::div(n / 256, n % 256, d, 8);
+      const auto u = divide(n / 256, n % 256, d, 8);
       const bool fits = d != 0 && n / d < 256;
       ASSERT_EQ(u.has_value(), fits) << n << " / " << d;
       if (fits) {
@@ -182,7 +204,7 @@ TEST(Alu, QuotientsOrFaults) {
       }
       const int sn = n < 32768 ? static_cast<int>(n) : static_cast<int>(n) - 65536;
       const int sd = signed_value(d);
-      const auto s = alu::idiv(n / 256, n % 256, d, 8);
+      const auto s = divide_signed(n / 256, n % 256, d, 8);
       const bool signed_fits = sd != 0 && !outside_signed(sn / sd);
       ASSERT_EQ(s.has_value(), signed_fits) << sn << " / " << sd;
       if (signed_fits) {
@@ -195,9 +217,9 @@ TEST(Alu, QuotientsOrFaults) {
 }
 
 TEST(Alu, TheWidestSignedDivideHasNoOverflow) {
-  EXPECT_FALSE(alu::idiv(0x80000000, 0, 0xFFFFFFFF, 32).has_value());
-  EXPECT_FALSE(alu::idiv(0xFFFFFFFF, 0x80000000, 0xFFFFFFFF, 32).has_value());
-  const auto least = alu::idiv(0xFFFFFFFF, 0x80000000, 1, 32);
+  EXPECT_FALSE(divide_signed(0x80000000, 0, 0xFFFFFFFF, 32).has_value());
+  EXPECT_FALSE(divide_signed(0xFFFFFFFF, 0x80000000, 0xFFFFFFFF, 32).has_value());
+  const auto least = divide_signed(0xFFFFFFFF, 0x80000000, 1, 32);
   ASSERT_TRUE(least.has_value());
   EXPECT_EQ(least->quotient, 0x80000000U);
 }

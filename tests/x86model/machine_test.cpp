@@ -43,7 +43,7 @@ TEST(WordMemory, HasOnlyAlignedWordsInside) {
 Ending run_rows(Wide& m, std::initializer_list<Instruction> rows) {
   const Program program = assemble(Listing(rows), {});
   m.registers.write(Register::sp, Size::word, 0x20);
-  detail::push(m, return_to_caller<16>);
+  m.push(return_to_caller<16>);
   return run(program.instructions(), m);
 }
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "verify/machine_code/programs.hpp"
-#include "x86model/flags.hpp"
 #include "x86model/machine.hpp"
 
 namespace fixproof::machine_code {
@@ -41,14 +40,9 @@ class SegmentMemory {
 };
 
 /// The machine that enter() and leave() of x86model/call.hpp work on.
-struct SegmentMachine {
-  static constexpr int word_bits = 16;
-
-  explicit SegmentMachine(std::uint8_t* first) : memory(first) {}
-
-  x86model::Registers<16> registers;
-  x86model::Flags flags = x86model::all_undefined;
-  SegmentMemory memory;
+struct SegmentMachine : x86model::Machine<16, SegmentMemory> {
+  explicit SegmentMachine(std::uint8_t* first)
+      : Machine{{}, x86model::all_undefined, SegmentMemory(first)} {}
 };
 
 }  // namespace fixproof::machine_code

@@ -21,7 +21,7 @@ std::string not_kept(const x86model::Registers<M::word_bits>& entered, const M& 
                      std::span<const std::uint32_t> in) {
   namespace x86 = x86model;
   using enum x86::Size;
-  constexpr auto word_mask = x86::alu::mask(M::word_bits);
+  constexpr auto word_mask = x86::mask(M::word_bits);
   std::string names;
   const auto add = [&](std::string_view name) {
     names += names.empty() ? "" : ", ";

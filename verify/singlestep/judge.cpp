@@ -81,13 +81,13 @@ x86::Outcome execute(const x86::Instruction& instruction, CaptureMachine& m, std
   const x86::Operand& to = instruction.operands[0];
   std::uint32_t target = next + static_cast<std::uint32_t>(to.value);
   if (to.kind == x86::Operand::Kind::reg || to.kind == x86::Operand::Kind::memory) {
-    if (!x86::detail::read(to, to.size, m, target)) return x86::Outcome::bad_address;
+    if (!m.read(to, to.size, target)) return x86::Outcome::bad_address;
   }
   return x86::transfer(instruction.mnemonic, m, target, next);
 }
 
 void push_frame(const Case& c, CaptureMachine& m, std::uint32_t flags, std::uint32_t back) {
-  for (const std::uint32_t word : {flags, c.initial[Place::cs], back}) x86::detail::push(m, word);
+  for (const std::uint32_t word : {flags, c.initial[Place::cs], back}) m.push(word);
 }
 
 void compare_registers(const Case& c, const Expected& expected, Cpu cpu, Differences& differences) {

@@ -1,12 +1,12 @@
 #include "x86model/symbolic/evaluate.hpp"
 
 #include <array>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "x86model/alu.hpp"
 #include "x86model/cosine_table.hpp"
+#include "x86model/words.hpp"
 
 namespace x86model::symbolic {
 
@@ -51,21 +51,21 @@ std::uint64_t concrete(const std::string& name, std::span<const std::uint64_t> a
     const auto entry = static_cast<std::uint32_t>(cosine_table.at(a / 4));
     return entry >> (a % 4 == 0 ? 0 : 16) & 0xFFFFU;
   }
+  const Words d;
   const int bits = name.ends_with("32") ? 32 : 16;
   const auto b = static_cast<std::uint32_t>(arguments[1]);
-  if (name == "umul16" || name == "umul32" || name == "smul16" || name == "smul32") {
-    const auto x = static_cast<std::uint32_t>(a);
-    const alu::Product p = name.front() == 'u' ? alu::mul(x, b, bits) : alu::imul(x, b, bits);
-    return std::uint64_t{p.high} << bits | p.low;
-  }
-  const auto high = static_cast<std::uint32_t>(a >> bits);
-  const auto low = static_cast<std::uint32_t>(a) & alu::mask(bits);
-  const std::optional<alu::Quotient> result =
-      name.front() == 'u' ? alu::div(high, low, b, bits) : alu::idiv(high, low, b, bits);
-  const std::string what = name.substr(1, name.size() - 3);
-  if (what == "fault") return result ? 0 : 1;
-  if (what == "div") return result ? result->quotient : 0;
-  if (what == "rem") return result ? result->remainder : 0;
+  const std::string what = name.substr(0, name.size() - 2);
+  const auto x = static_cast<std::uint32_t>(a);
+  const std::uint64_t whole = bits == 32 ? ~std::uint64_t{0} : x86model::mask(2 * bits);
+  if (what == "umul") return d.unsigned_product(x, b, bits);
+  if (what == "smul") return d.signed_product(x, b, bits) & whole;
+  const bool faults = what.front() == 'u' ? alu::div_faults(d, d.extract(a, bits, bits), b)
+                                          : d.signed_quotient_overflows(a, b, bits);
+  if (what == "sfault") return faults ? 1 : 0;
+  if (what == "udiv") return faults ? 0 : d.unsigned_quotient(a, b, bits);
+  if (what == "urem") return faults ? 0 : d.unsigned_remainder(a, b, bits);
+  if (what == "sdiv") return faults ? 0 : d.signed_quotient(a, b, bits);
+  if (what == "srem") return faults ? 0 : d.signed_remainder(a, b, bits);
   throw std::invalid_argument("no such function: " + name);
 }
 

@@ -36,7 +36,7 @@ class Evaluation {
   std::uint64_t round_ = 1;
 };
 
-/// The abstract functions of alu.hpp as x86model/alu.hpp computes them, and `cosword` from the
+/// The abstract functions of domain.hpp as x86model/words.hpp computes them, and `cosword` from the
 /// cosine table. A quotient that faults is 0. @throws std::invalid_argument for any other function
 std::uint64_t concrete(const std::string& name, std::span<const std::uint64_t> arguments);
 

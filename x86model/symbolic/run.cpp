@@ -8,7 +8,8 @@
 
 #include "x86model/run.hpp"
 #include "x86model/symbolic/evaluate.hpp"
-#include "x86model/symbolic/execute.hpp"
+#include "x86model/symbolic/machine.hpp"
+#include "x86model/symbolic/thread.hpp"
 
 namespace x86model::symbolic {
 
@@ -17,11 +18,7 @@ namespace {
 class Runner {
  public:
   Runner(Terms& terms, std::span<const Instruction> code, const RunOptions& options)
-      : t_(terms),
-        code_(code),
-        options_(options),
-        operands_(terms, options.memory_is_open),
-        evaluation_(terms, concrete) {}
+      : t_(terms), code_(code), options_(options), evaluation_(terms, concrete) {}
 
   std::vector<Path> all(const State& start) {
     threads_.push_back({start, t_.truth(true), t_.truth(true), options_.first, {}, {}, false});
@@ -39,6 +36,10 @@ class Runner {
   }
 
  private:
+  ListingMachine machine_of(Thread& thread) {
+    return {t_, thread.state, thread.in_table, options_.memory_is_open};
+  }
+
   /// Follows one thread to its end; branches become new threads.
   void follow(Thread thread) {
     while (true) {
@@ -48,11 +49,12 @@ class Runner {
       }
       thread.has_begun = true;
       const Instruction& i = code_[thread.position];
+      ListingMachine m = machine_of(thread);
       if (i.mnemonic == Mnemonic::ret) {
-        const auto to = operands_.pop(thread);
-        if (!to || !t_.is_constant(*to)) return end(thread, Outcome::bad_address);
-        if (t_.value(*to) == return_to_caller<16>) return end(thread, Outcome::returned);
-        thread.position = t_.value(*to);
+        Term to;
+        if (!m.pop(to) || !t_.is_constant(to)) return end(thread, Outcome::bad_address);
+        if (t_.value(to) == return_to_caller<16>) return end(thread, Outcome::returned);
+        thread.position = t_.value(to);
       } else if (i.mnemonic == Mnemonic::call && options_.calls_are_fixed_mul) {
         const auto to = static_cast<std::size_t>(i.operands[0].value);
         const bool calls_it = to < code_.size() && code_[to].is_procedure &&
@@ -62,13 +64,19 @@ class Runner {
       } else if (is_control_flow(i.mnemonic)) {
         if (!jump(thread, i)) return;
       } else {
-        const Outcome outcome = x86model::detail::is_divide(i.mnemonic)
-                                    ? divided(thread, i)
-                                    : execute(t_, operands_, thread, i);
+        const Outcome outcome = execute_any(i, m);
         if (outcome != Outcome::proceeds) return end(thread, outcome);
+        if (m.fault) split_off(thread, std::move(*m.fault));
         ++thread.position;
       }
     }
+  }
+
+  /// Ends the path of the operands for which a divide faults.
+  void split_off(Thread& thread, Machine::Fault fault) {
+    paths_.push_back({t_.both(thread.condition, fault.condition), thread.in_table,
+                      Outcome::divide_error, thread.position, std::move(fault.state)});
+    thread.condition = t_.both(thread.condition, t_.negation(fault.condition));
   }
 
   void end(Thread& thread, Outcome outcome) {
@@ -112,26 +120,22 @@ class Runner {
     // The target of a computed jump depends on instruction lengths, which are not modelled here.
     if (i.operands[0].kind == Operand::Kind::reg) return end(thread, Outcome::bad_address), false;
     const auto to = static_cast<std::size_t>(i.operands[0].value);
-    const auto condition = i.mnemonic == Mnemonic::loop ? std::optional(count_down(thread))
-                                                        : taken(t_, i.mnemonic, thread.state.flags);
-    if (!condition) return end(thread, Outcome::undefined_flag), false;
+    ListingMachine m = machine_of(thread);
+    Term taken;
+    if (i.mnemonic == Mnemonic::loop) {
+      taken = count_down(m);
+    } else if (jump_taken(m.domain(), i.mnemonic, m.flags, taken) != Outcome::proceeds) {
+      return end(thread, Outcome::undefined_flag), false;
+    }
     if (++thread.jumps[thread.position] > options_.max_jumps) {
       return end(thread, Outcome::step_limit), false;
     }
-    if (i.mnemonic == Mnemonic::call &&
-        !operands_.push(thread, t_.constant(thread.position + 1, 16))) {
+    if (i.mnemonic == Mnemonic::call && !m.push(t_.constant(thread.position + 1, 16))) {
       return end(thread, Outcome::bad_address), false;
     }
-    if (!t_.is_constant(*condition)) return branch(std::move(thread), *condition, to), false;
-    thread.position = t_.value(*condition) != 0 ? to : thread.position + 1;
+    if (!t_.is_constant(taken)) return branch(std::move(thread), taken, to), false;
+    thread.position = t_.value(taken) != 0 ? to : thread.position + 1;
     return true;
-  }
-
-  /// LOOP: decrements CX. @return whether it is not 0 afterwards
-  Term count_down(Thread& thread) {
-    const Term count = t_.sub(thread.state.read(t_, Register::cx, Size::word), t_.constant(1, 16));
-    thread.state.write(t_, Register::cx, Size::word, count);
-    return t_.negation(t_.equal(count, t_.constant(0, 16)));
   }
 
   /// The effect of a call of FixedMul, with its arguments on the stack.
@@ -141,9 +145,8 @@ class Runner {
     if (!t_.is_constant(top)) return false;
     std::array<Term, 4> words;
     for (std::size_t i = 0; i < words.size(); ++i) {
-      const auto word = operands_.memory_word(thread, t_.add(top, t_.constant(2 * i, 16)));
-      if (!word) return false;
-      words[i] = *word;
+      const Term at = t_.add(top, t_.constant(2 * i, 16));
+      if (!machine_of(thread).read_word(at, words[i])) return false;
     }
     const Term product =
         t_.apply("fixedmul", {t_.concat(words[1], words[0]), t_.concat(words[3], words[2])}, 32);
@@ -160,32 +163,9 @@ class Runner {
 
   Term unknown() { return t_.variable(numbered("unknown", unknowns_++), 16); }
 
-  /// Executes a divide; if it may fault, the faulting path ends here.
-  Outcome divided(Thread& thread, const Instruction& i) {
-    const Size size = i.operands[0].size;
-    const auto divisor = operands_.read(thread, i.operands[0], size);
-    if (!divisor) return Outcome::bad_address;
-    const Term dividend = t_.concat(thread.state.read(t_, Register::dx, size),
-                                    thread.state.read(t_, Register::ax, size));
-    const Division division = divide(t_, i.mnemonic, dividend, *divisor);
-    if (t_.is_constant(division.faults)) {
-      if (t_.value(division.faults) != 0) return Outcome::divide_error;
-    } else {
-      Thread faulting = thread;
-      faulting.condition = t_.both(thread.condition, division.faults);
-      end(faulting, Outcome::divide_error);
-      thread.condition = t_.both(thread.condition, t_.negation(division.faults));
-    }
-    thread.state.write(t_, Register::ax, size, division.quotient);
-    thread.state.write(t_, Register::dx, size, division.remainder);
-    thread.state.flags = {};
-    return Outcome::proceeds;
-  }
-
   Terms& t_;
   std::span<const Instruction> code_;
   const RunOptions& options_;
-  Operands operands_;
   Evaluation evaluation_;
   std::vector<Thread> threads_;
   std::vector<Path> paths_;

@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
-#include "x86model/machine.hpp"
-#include "x86model/symbolic/alu.hpp"
+#include "x86model/instruction.hpp"
+#include "x86model/symbolic/domain.hpp"
 
 namespace x86model::symbolic {
 

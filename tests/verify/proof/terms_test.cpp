@@ -1,6 +1,7 @@
 // Tests that folding preserves meaning: constants and variables of the same values must agree.
 #include "tests/support/test.hpp"
-#include "x86model/symbolic/alu.hpp"
+#include "x86model/alu.hpp"
+#include "x86model/symbolic/domain.hpp"
 #include "x86model/symbolic/evaluate.hpp"
 #include "x86model/symbolic/smt.hpp"
 
@@ -65,20 +66,21 @@ TEST(Terms, FoldToWhatTheyMean) {
 // the same meaning as the two words.
 TEST(Terms, JoinedWordsMeanTheWords) {
   Terms t;
+  const Domain d = t;
   const Term none = t.truth(false);
   const Term zero = t.constant(0, 16);
   const Term a = t.variable("a", 32);
   const Term b = t.variable("b", 32);
   const auto low = [&](Term x) { return t.extract(x, 0, 16); };
   const auto high = [&](Term x) { return t.extract(x, 16, 16); };
-  const Result sum = add(t, low(a), low(b), none);
-  const Result upper = add(t, high(a), high(b), *sum.flags.carry);
+  const auto sum = x86model::alu::add(d, low(a), low(b), none, 16);
+  const auto upper = x86model::alu::add(d, high(a), high(b), *sum.flags.carry, 16);
   const Term joined = join(t, upper.value, sum.value);
   EXPECT_EQ(joined, t.add(a, b));
 
-  const Term negated_high = sub(t, zero, high(a), none).value;
-  const Result negated_low = sub(t, zero, low(a), none);
-  const Result borrowed = sub(t, negated_high, zero, *negated_low.flags.carry);
+  const Term negated_high = x86model::alu::sub(d, zero, high(a), none, 16).value;
+  const auto negated_low = x86model::alu::sub(d, zero, low(a), none, 16);
+  const auto borrowed = x86model::alu::sub(d, negated_high, zero, *negated_low.flags.carry, 16);
   const Term opposite = join(t, borrowed.value, negated_low.value);
   EXPECT_EQ(opposite, t.sub(t.constant(0, 32), a));
 
