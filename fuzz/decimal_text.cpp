@@ -20,7 +20,7 @@
 #include "fuzz/oracle_rule.hpp"
 #include "fuzz/words.hpp"
 #include "oracle/decimal.hpp"
-#include "oracle/unbounded.hpp"
+#include "oracle/format.hpp"
 
 using namespace fixproof;
 
@@ -90,12 +90,11 @@ Word word_of(Number x) {
 /// The word for the text; nothing if it is not a number in range.
 template <class Number>
 std::optional<Word> expected_word(std::string_view number) {
-  constexpr int bits = 2 * Number::fraction_bits;
   const auto exact = oracle::from_decimal(without_exponent(number),
                                           fixproof::fuzz::oracle_rule(Number::rules.multiply),
                                           Number::fraction_bits);
-  if (!exact || !oracle::fits(*exact, bits)) return std::nullopt;
-  return oracle::wrap(*exact, bits);
+  if (!exact || !oracle::fits(*exact, Number::fraction_bits)) return std::nullopt;
+  return oracle::wrap(*exact, Number::fraction_bits);
 }
 
 template <class Number>

@@ -12,7 +12,7 @@
 #include "fixed/fixed.hpp"
 #include "fuzz/oracle_rule.hpp"
 #include "oracle/decimal.hpp"
-#include "oracle/unbounded.hpp"
+#include "oracle/format.hpp"
 
 namespace fixproof::fuzz {
 
@@ -189,8 +189,8 @@ class OracleAnswers {
     add(in_range(abs(x)));
     const auto root = oracle::exact_root(a, half_up, f);
     add(root ? in_range(*root) : traps() ? Answer() : Answer(0));
-    add(oracle::wrap(oracle::rounded(x, one, multiply_), 32));
-    add(oracle::wrap(oracle::rounded(x, one, truncate), 32));
+    add(oracle::wrap(oracle::rounded(x, one, multiply_), 16));
+    add(oracle::wrap(oracle::rounded(x, one, truncate), 16));
     add(x < y ? 1 : 0);
     add(x == y ? 1 : 0);
     add(x < y ? a : b);
@@ -211,16 +211,16 @@ class OracleAnswers {
   [[nodiscard]] bool traps() const { return rules_.range == overflow::trap; }
 
   [[nodiscard]] Answer in_range(const Integer& exact) const {
-    if (rules_.range == overflow::saturate) return oracle::saturate(exact, bits());
-    if (traps() && !oracle::fits(exact, bits())) return std::nullopt;
-    return oracle::wrap(exact, bits());
+    if (rules_.range == overflow::saturate) return oracle::saturate(exact, fraction_bits_);
+    if (traps() && !oracle::fits(exact, fraction_bits_)) return std::nullopt;
+    return oracle::wrap(exact, fraction_bits_);
   }
 
   /// The end of the range, for operations without a result.
   [[nodiscard]] Answer end(bool negative) const {
     if (traps()) return std::nullopt;
     const Integer far = Integer(1) << bits();
-    return oracle::saturate(negative ? -far : far, bits());
+    return oracle::saturate(negative ? -far : far, fraction_bits_);
   }
 
   [[nodiscard]] Answer of_float(double value) const {

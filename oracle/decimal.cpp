@@ -8,7 +8,7 @@ namespace oracle {
 namespace {
 
 /// @throws std::invalid_argument unless fraction_bits is 2 ... 16
-void require_routine_format(int fraction_bits) { static_cast<void>(one(fraction_bits)); }
+void require_routine_format(int fraction_bits) { static_cast<void>(Format(fraction_bits)); }
 
 }  // namespace
 

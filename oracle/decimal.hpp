@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "oracle/unbounded.hpp"
+#include "oracle/format.hpp"
 
 /// Exact conversion of numbers to ulps and of words to text. Every function that takes
 /// `fraction_bits` throws std::invalid_argument unless it is 2 ... 16.

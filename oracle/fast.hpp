@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,185 +11,248 @@
 
 #include "oracle/rule.hpp"
 
-/// A faster implementation of exact.hpp and unbounded.hpp for sweeps: floor division in 64-bit
-/// integers, where the remainder decides the rounding. Nothing overflows: a product of two words is
-/// below 2^63 in magnitude, a dividend scaled by 2^16 below 2^48. Every function that takes
-/// `fraction_bits` throws std::invalid_argument unless it is 2 ... 16. Calls are qualified, because
+/// A faster implementation of format.hpp and exact.hpp for words of at most 32 bits, for sweeps:
+/// signs and magnitudes in 64-bit integers, where the remainder decides the rounding. Products of
+/// magnitudes and magnitudes scaled by 2^32 do not exceed 64 bits. Calls are qualified, because
 /// argument-dependent lookup on the rules would find the functions of namespace oracle.
 namespace oracle::fast {
 
+/// A number of ulps of at most 65 bits.
+struct Signed {
+  bool negative;
+  std::uint64_t magnitude;
+
+  /// The number, if its magnitude is below 2^63.
+  [[nodiscard]] constexpr std::int64_t value() const {
+    const auto size = static_cast<std::int64_t>(magnitude);
+    return negative ? -size : size;
+  }
+};
+
+/// A word in ulps.
+[[nodiscard]] constexpr Signed signed_ulps(LongWord word, const Format& format) {
+  const std::uint64_t ones = ~std::uint64_t{0} >> (64 - format.bits);
+  const bool negative = format.is_signed && (word >> (format.bits - 1) & 1U) != 0;
+  return {negative, (negative ? 0 - word : word) & ones};
+}
+
+/// The low bits of a number of ulps.
+[[nodiscard]] constexpr LongWord wrap(std::uint64_t value, const Format& format) {
+  return value & ~std::uint64_t{0} >> (64 - format.bits);
+}
+[[nodiscard]] constexpr LongWord wrap(const Signed& value, const Format& format) {
+  return fast::wrap(value.negative ? 0 - value.magnitude : value.magnitude, format);
+}
+
 namespace detail {
 
-/// The bits of a 32-bit word that the format does not use.
-[[nodiscard]] constexpr int unused_bits(int fraction_bits) {
-  if (fraction_bits < 2 || fraction_bits > 16) {
-    throw std::invalid_argument("fraction_bits must be 2 ... 16");
-  }
-  return 32 - 2 * fraction_bits;
-}
-
-/// The operand in ulps; sign-extends by shifting to the top of the word and back.
-[[nodiscard]] constexpr std::int64_t ulps(Word word, int fraction_bits) {
-  const int unused = unused_bits(fraction_bits);
-  return static_cast<std::int32_t>(word << unused) >> unused;
-}
-
-[[nodiscard]] constexpr std::int64_t magnitude(std::int64_t value) {
-  return value < 0 ? -value : value;
-}
-
-/// Whether the rule rounds a value that lies `remainder` / `divisor` above the floor up.
-[[nodiscard]] constexpr bool rounds_up(std::int64_t floor, std::int64_t remainder,
-                                       std::int64_t divisor, bool negative, Rounding rule) {
+/// Whether the rule rounds a magnitude that lies `rest` / `divisor` above `floor` away from zero.
+[[nodiscard]] constexpr bool rounds_away(std::uint64_t floor, std::uint64_t rest,
+                                         std::uint64_t divisor, bool negative, Rounding rule) {
   switch (rule) {
     case Rounding::half_up:
-      return remainder >= divisor - remainder;
+      // A negative tie rounds toward zero.
+      return negative ? rest > divisor - rest : rest >= divisor - rest;
     case Rounding::half_away:
-      return negative ? remainder > divisor - remainder : remainder >= divisor - remainder;
+      return rest >= divisor - rest;
     case Rounding::half_even:
-      return remainder > divisor - remainder ||
-             (remainder == divisor - remainder && floor % 2 != 0);
+      return rest > divisor - rest || (rest == divisor - rest && floor % 2 != 0);
     case Rounding::floor:
-      return false;
+      return negative && rest != 0;
     case Rounding::truncate:
-      return negative && remainder != 0;
+      return false;
   }
   throw std::invalid_argument("no such rounding");
 }
 
-/// n / d rounded, for d != 0, |n| < 2^62 and |d| < 2^32.
-[[nodiscard]] constexpr std::int64_t divide(std::int64_t n, std::int64_t d, Rounding rule) {
-  if (d < 0) {
-    n = -n;
-    d = -d;
-  }
-  std::int64_t floor = n / d;
-  std::int64_t remainder = n % d;
-  if (remainder < 0) {
-    --floor;
-    remainder += d;
-  }
-  return floor + (rounds_up(floor, remainder, d, n < 0, rule) ? 1 : 0);
+/// n / d with the sign of `negative`, rounded; d > 0.
+[[nodiscard]] constexpr Signed divide(bool negative, std::uint64_t n, std::uint64_t d,
+                                      Rounding rule) {
+  const std::uint64_t floor = n / d;
+  return {negative, floor + (rounds_away(floor, n % d, d, negative, rule) ? 1 : 0)};
 }
 
 }  // namespace detail
 
-/// `value` modulo 2^2F.
-[[nodiscard]] constexpr Word wrap(std::int64_t value, int fraction_bits) {
-  return static_cast<Word>(value) & (~Word{0} >> detail::unused_bits(fraction_bits));
-}
-
 /// a + b in ulps, before reduction to a word.
-[[nodiscard]] constexpr std::int64_t exact_sum(Word a, Word b, int fraction_bits) {
-  return detail::ulps(a, fraction_bits) + detail::ulps(b, fraction_bits);
+[[nodiscard]] constexpr std::int64_t exact_sum(LongWord a, LongWord b, const Format& format) {
+  return signed_ulps(a, format).value() + signed_ulps(b, format).value();
 }
 
 /// a - b in ulps, before reduction to a word.
-[[nodiscard]] constexpr std::int64_t exact_difference(Word a, Word b, int fraction_bits) {
-  return detail::ulps(a, fraction_bits) - detail::ulps(b, fraction_bits);
+[[nodiscard]] constexpr std::int64_t exact_difference(LongWord a, LongWord b,
+                                                      const Format& format) {
+  return signed_ulps(a, format).value() - signed_ulps(b, format).value();
 }
 
 /// a * b in ulps, before reduction to a word.
-[[nodiscard]] constexpr std::int64_t exact_product(Word a, Word b, Rounding rule,
-                                                   int fraction_bits) {
-  const std::int64_t product = detail::ulps(a, fraction_bits) * detail::ulps(b, fraction_bits);
-  const std::int64_t one = std::int64_t{1} << fraction_bits;
-  const std::int64_t floor = product >> fraction_bits;
-  const bool up = detail::rounds_up(floor, product & (one - 1), one, product < 0, rule);
-  return floor + (up ? 1 : 0);
+[[nodiscard]] constexpr Signed exact_product(LongWord a, LongWord b, Rounding rule,
+                                             const Format& format) {
+  const Signed x = signed_ulps(a, format);
+  const Signed y = signed_ulps(b, format);
+  const bool negative = x.negative != y.negative;
+  const std::uint64_t product = x.magnitude * y.magnitude;
+  const std::uint64_t one = std::uint64_t{1} << format.fraction_bits;
+  const std::uint64_t floor = product >> format.fraction_bits;
+  const bool away = detail::rounds_away(floor, product & (one - 1), one, negative, rule);
+  return {negative, floor + (away ? 1 : 0)};
 }
 
 /// n / d in ulps, before reduction to a word; empty if and only if d is 0.
-[[nodiscard]] constexpr std::optional<std::int64_t> exact_quotient(Word n, Word d, Rounding rule,
-                                                                   int fraction_bits) {
-  const std::int64_t divisor = detail::ulps(d, fraction_bits);
-  if (divisor == 0) return std::nullopt;
-  const std::int64_t scaled = detail::ulps(n, fraction_bits) * (std::int64_t{1} << fraction_bits);
-  return detail::divide(scaled, divisor, rule);
+[[nodiscard]] constexpr std::optional<Signed> exact_quotient(LongWord n, LongWord d, Rounding rule,
+                                                             const Format& format) {
+  const Signed x = signed_ulps(n, format);
+  const Signed y = signed_ulps(d, format);
+  if (y.magnitude == 0) return std::nullopt;
+  return detail::divide(x.negative != y.negative, x.magnitude << format.fraction_bits, y.magnitude,
+                        rule);
 }
 
 /// a * b.
-[[nodiscard]] constexpr Word mul(Word a, Word b, Rounding rule, int fraction_bits) {
-  return wrap(fast::exact_product(a, b, rule, fraction_bits), fraction_bits);
+[[nodiscard]] constexpr LongWord mul(LongWord a, LongWord b, Rounding rule, const Format& format) {
+  return fast::wrap(fast::exact_product(a, b, rule, format), format);
 }
 
 /// n / d as in mathematics; empty if and only if d is 0.
-[[nodiscard]] constexpr std::optional<Word> quotient(Word n, Word d, Rounding rule,
-                                                     int fraction_bits) {
-  const auto exact = fast::exact_quotient(n, d, rule, fraction_bits);
+[[nodiscard]] constexpr std::optional<LongWord> quotient(LongWord n, LongWord d, Rounding rule,
+                                                         const Format& format) {
+  const auto exact = fast::exact_quotient(n, d, rule, format);
   if (!exact) return std::nullopt;
-  return wrap(*exact, fraction_bits);
+  return fast::wrap(*exact, format);
 }
 
 /// n / d as a divide of FIXED.ASM; empty for #DE. The fault conditions use the operands, not the
 /// quotient.
-[[nodiscard]] constexpr std::optional<Word> div(Word n, Word d, DivideRule rule,
-                                                int fraction_bits) {
-  const std::int64_t dividend = detail::ulps(n, fraction_bits);
-  const std::int64_t divisor = detail::ulps(d, fraction_bits);
-  const std::int64_t size = detail::magnitude(divisor);
+[[nodiscard]] constexpr std::optional<LongWord> div(LongWord n, LongWord d, DivideRule rule,
+                                                    const Format& format) {
+  const Signed x = signed_ulps(n, format);
+  const Signed y = signed_ulps(d, format);
+  const bool negative = x.negative != y.negative;
   switch (rule) {
     case DivideRule::i386_rounded:
-      if (size <= detail::magnitude(dividend) >> fraction_bits) return std::nullopt;
-      return fast::quotient(n, d, Rounding::half_away, fraction_bits);
+      if (y.magnitude <= x.magnitude >> format.fraction_bits) return std::nullopt;
+      return fast::quotient(n, d, Rounding::half_away, format);
     case DivideRule::i386_unrounded: {
       // The first magnitude that does not fit: 2^(2F-1), or one more for a negative quotient.
-      const bool negative = (dividend < 0) != (divisor < 0);
-      const std::int64_t limit = (std::int64_t{1} << (2 * fraction_bits - 1)) + (negative ? 1 : 0);
-      const std::int64_t scaled = detail::magnitude(dividend) << fraction_bits;
-      if (scaled >= limit * size) return std::nullopt;
-      return fast::quotient(n, d, Rounding::truncate, fraction_bits);
+      const std::uint64_t limit = (std::uint64_t{1} << (format.bits - 1)) + (negative ? 1 : 0);
+      if (x.magnitude << format.fraction_bits >= limit * y.magnitude) return std::nullopt;
+      return fast::quotient(n, d, Rounding::truncate, format);
     }
     case DivideRule::i8088_rounded:
     case DivideRule::i8088_unrounded: {
-      const std::int64_t whole = size >> fraction_bits;
+      const std::uint64_t whole = y.magnitude >> format.fraction_bits;
       if (whole == 0) return std::nullopt;
       const auto rounding =
           rule == DivideRule::i8088_rounded ? Rounding::half_away : Rounding::truncate;
-      return wrap(detail::divide(dividend, divisor < 0 ? -whole : whole, rounding), fraction_bits);
+      return fast::wrap(detail::divide(negative, x.magnitude, whole, rounding), format);
     }
   }
   throw std::invalid_argument("no such divide rule");
 }
 
-/// The square root in ulps, below 2^24; empty for a negative operand.
-[[nodiscard]] constexpr std::optional<std::int64_t> exact_root(Word x, Rounding rule,
-                                                               int fraction_bits) {
-  const std::int64_t value = detail::ulps(x, fraction_bits);
-  if (value < 0) return std::nullopt;
-  // Computes the root one bit at a time; `rest` is the radicand minus the square of the root.
-  std::int64_t rest = value << fraction_bits;
-  std::int64_t root = 0;
-  for (std::int64_t digit = std::int64_t{1} << 24; digit != 0; digit >>= 1) {
-    const std::int64_t step = (2 * root + digit) * digit;
-    if (rest >= step) {
-      rest -= step;
-      root += digit;
-    }
+/// The remainder of n / d truncated toward zero; empty if and only if d is 0.
+[[nodiscard]] constexpr std::optional<LongWord> truncated_remainder(LongWord n, LongWord d,
+                                                                    const Format& format) {
+  const Signed x = signed_ulps(n, format);
+  const Signed y = signed_ulps(d, format);
+  if (y.magnitude == 0) return std::nullopt;
+  return fast::wrap(Signed{x.negative, x.magnitude % y.magnitude}, format);
+}
+
+/// The remainder of the integer nearest to n / d, ties to even; empty if and only if d is 0.
+[[nodiscard]] constexpr std::optional<LongWord> nearest_remainder(LongWord n, LongWord d,
+                                                                  const Format& format) {
+  const Signed x = signed_ulps(n, format);
+  const Signed y = signed_ulps(d, format);
+  if (y.magnitude == 0) return std::nullopt;
+  const std::uint64_t rest = x.magnitude % y.magnitude;
+  const std::uint64_t twice = 2 * rest;
+  const bool is_odd = x.magnitude / y.magnitude % 2 != 0;
+  if (twice < y.magnitude || (twice == y.magnitude && !is_odd)) {
+    return fast::wrap(Signed{x.negative, rest}, format);
+  }
+  return fast::wrap(Signed{!x.negative, y.magnitude - rest}, format);
+}
+
+/// a * b / c; empty if and only if c is 0.
+[[nodiscard]] constexpr std::optional<LongWord> product_quotient(LongWord a, LongWord b, LongWord c,
+                                                                 Rounding rule,
+                                                                 const Format& format) {
+  const Signed x = signed_ulps(a, format);
+  const Signed y = signed_ulps(b, format);
+  const Signed z = signed_ulps(c, format);
+  if (z.magnitude == 0) return std::nullopt;
+  return fast::wrap(detail::divide((x.negative != y.negative) != z.negative,
+                                   x.magnitude * y.magnitude, z.magnitude, rule),
+                    format);
+}
+
+/// The length of (x, y, z) in ulps, to nearest. It has at most 33 bits.
+[[nodiscard]] inline std::uint64_t nearest_length(LongWord x, LongWord y, LongWord z,
+                                                  const Format& format) {
+  // The sum of the squares may exceed 64 bits. A double tells the root within an ulp, so the sum
+  // minus the square of the guess is small, and right modulo 2^64.
+  std::uint64_t sum = 0;
+  double estimate = 0;
+  for (const LongWord word : {x, y, z}) {
+    const std::uint64_t size = signed_ulps(word, format).magnitude;
+    sum += size * size;
+    estimate += static_cast<double>(size) * static_cast<double>(size);
+  }
+  auto root = static_cast<std::uint64_t>(std::sqrt(estimate));
+  const auto above = [&] { return static_cast<std::int64_t>(sum - root * root); };
+  // Root r is nearest if r^2 - r < sum <= r^2 + r.
+  while (above() > static_cast<std::int64_t>(root)) ++root;
+  while (root > 0 && above() <= -static_cast<std::int64_t>(root)) --root;
+  return root;
+}
+
+/// The square root in ulps, below 2^32; empty for a negative operand.
+[[nodiscard]] constexpr std::optional<std::uint64_t> exact_root(LongWord word, Rounding rule,
+                                                                const Format& format) {
+  const Signed x = signed_ulps(word, format);
+  if (x.negative) return std::nullopt;
+  // One bit of the root at a time; `rest` is the radicand minus the square of the root.
+  std::uint64_t rest = x.magnitude << format.fraction_bits;
+  std::uint64_t root = 0;
+  const int top = (64 - std::countl_zero(rest | 1)) / 2;
+  for (int bit = top < 31 ? top : 31; bit >= 0; --bit) {
+    // (root + digit)^2 - root^2, with root a multiple of twice the digit
+    const std::uint64_t step = (2 * root << bit) + (std::uint64_t{1} << 2 * bit);
+    if (rest < step) continue;
+    rest -= step;
+    root += std::uint64_t{1} << bit;
   }
   if (rule == Rounding::floor || rule == Rounding::truncate) return root;
   // The radicand exceeds (root + 1/2)^2 when the rest exceeds root + 1/4.
   return root + (rest > root ? 1 : 0);
 }
 
-/// The square root, rounded to nearest; empty for a negative operand.
-[[nodiscard]] constexpr std::optional<Word> sqrt(Word x, int fraction_bits) {
-  const auto root = fast::exact_root(x, Rounding::half_up, fraction_bits);
-  if (!root) return std::nullopt;
-  return wrap(*root, fraction_bits);
+/// The square root, rounded to nearest; empty for a negative operand. Faster if it is `guess` or
+/// one more, as in sweeps. Sets `guess` to the root.
+[[nodiscard]] constexpr std::optional<LongWord> sqrt(LongWord word, const Format& format,
+                                                     LongWord& guess) {
+  const Signed x = signed_ulps(word, format);
+  if (x.negative) return std::nullopt;
+  const std::uint64_t n = x.magnitude << format.fraction_bits;
+  constexpr std::uint64_t highest = 0xFFFFFFFF;
+  // r is nearest if (r - 1/2)^2 < n < (r + 1/2)^2, in integers r^2 - r < n <= r^2 + r.
+  for (std::uint64_t r = guess; r <= guess + 1 && r > 0 && r < highest; ++r) {
+    if (r * r - r < n && n <= r * r + r) return guess = r;
+  }
+  return guess = *fast::exact_root(word, Rounding::half_up, format);
 }
 
 /// A transformed point, as oracle::xform_vec.
 [[nodiscard]] constexpr std::array<Word, 3> xform_vec(std::span<const Word, 12> m,
                                                       std::span<const Word, 3> v, Rounding rule,
-                                                      int fraction_bits) {
+                                                      const Format& format) {
   std::array<Word, 3> result{};
   for (std::size_t row = 0; row < 3; ++row) {
     const auto r = m.subspan(4 * row, 4);
-    const Word sum = fast::mul(r[0], v[0], rule, fraction_bits) +
-                     fast::mul(r[1], v[1], rule, fraction_bits) +
-                     fast::mul(r[2], v[2], rule, fraction_bits) + r[3];
-    result[row] = wrap(sum, fraction_bits);
+    const LongWord sum = fast::mul(r[0], v[0], rule, format) + fast::mul(r[1], v[1], rule, format) +
+                         fast::mul(r[2], v[2], rule, format) + r[3];
+    result[row] = static_cast<Word>(fast::wrap(sum, format));
   }
   return result;
 }
@@ -196,21 +261,21 @@ namespace detail {
 [[nodiscard]] constexpr std::array<Word, 12> concat(std::span<const Word, 12> first,
                                                     std::span<const Word, 12> second, Rounding rule,
                                                     TranslationRule translation,
-                                                    int fraction_bits) {
+                                                    const Format& format) {
   std::array<Word, 12> result{};
   for (std::size_t i = 0; i < result.size(); ++i) {
     const auto row = first.subspan(i / 4 * 4, 4);
     const std::size_t column = i % 4;
     const bool translated = column == 3 || translation == TranslationRule::every;
     const Word moved = translated ? row[3] : 0;
-    Word sum = 0;
+    LongWord sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      sum += fast::mul(row[k], second[4 * k + column], rule, fraction_bits);
+      sum += fast::mul(row[k], second[4 * k + column], rule, format);
     }
-    const Word one = Word{1} << fraction_bits;
+    const Word one = Word{1} << format.fraction_bits;
     const bool parted = translated && translation == TranslationRule::fourth_in_parts;
     const bool carries = sum % one + moved % one >= one;
-    result[i] = wrap(sum + moved - (parted && carries ? one : 0), fraction_bits);
+    result[i] = static_cast<Word>(fast::wrap(sum + moved - (parted && carries ? one : 0), format));
   }
   return result;
 }

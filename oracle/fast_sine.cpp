@@ -6,8 +6,8 @@
 
 #include "oracle/exact.hpp"
 #include "oracle/fast.hpp"
+#include "oracle/format.hpp"
 #include "oracle/real.hpp"
-#include "oracle/unbounded.hpp"
 
 namespace oracle::fast {
 namespace {
@@ -67,7 +67,7 @@ Turned four_bytes(Word angle) {
 }
 
 Word angle_in_16_16(Word angle, int fraction_bits) {
-  return static_cast<Word>(detail::ulps(angle, fraction_bits) *
+  return static_cast<Word>(signed_ulps(angle, fraction_bits).value() *
                            (std::int64_t{1} << (16 - fraction_bits)));
 }
 
@@ -80,7 +80,8 @@ bool settled(std::int64_t value, int dropped) {
 Word nearest(std::int64_t value, int fraction_bits) {
   const int dropped = kFraction - fraction_bits;
   const std::int64_t half = std::int64_t{1} << (dropped - 1);
-  return wrap((value + half) >> dropped, fraction_bits);
+  return static_cast<Word>(
+      fast::wrap(static_cast<std::uint64_t>((value + half) >> dropped), fraction_bits));
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <stdexcept>
 
+#include "oracle/format.hpp"
 #include "oracle/real_function.hpp"
 #include "oracle/tie.hpp"
-#include "oracle/unbounded.hpp"
 
 namespace oracle {
 namespace {

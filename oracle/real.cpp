@@ -3,7 +3,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <stdexcept>
 
-#include "oracle/unbounded.hpp"
+#include "oracle/format.hpp"
 
 namespace oracle {
 namespace {

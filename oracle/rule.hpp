@@ -1,14 +1,38 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 
-/// The words and rules of the oracle's interface.
+/// The words, formats and rules of the oracle's interface.
 namespace oracle {
 
-/// A fixed-point operand or result as bits: 2F-bit two's complement, zero-extended, where F is the
-/// number of fraction bits, 2 ... 16. The unit in the last place (ulp) is 2^-F. Bits of an operand
-/// above the low 2F are ignored; those of a result are 0.
+/// A word of at most 32 bits; see LongWord.
 using Word = std::uint32_t;
+
+/// A fixed-point operand or result of a format as bits, zero-extended. Bits of an operand above the
+/// format's are ignored; those of a result are 0.
+using LongWord = std::uint64_t;
+
+/// A word with raw integer n has the value n ulps. The unit in the last place (ulp) is
+/// 2^-fraction_bits.
+struct Format {
+  constexpr Format(int word_bits, int fraction, bool has_sign)
+      : bits(word_bits), fraction_bits(fraction), is_signed(has_sign) {}
+  /// The format of FIXED.ASM's words with F fraction bits, 2 ... 16: 2F bits, signed.
+  /// @throws std::invalid_argument for any other number
+  constexpr Format(int fraction = 16)  // NOLINT(*-explicit-*): F alone names one of them
+      : bits(2 * in_routines(fraction)), fraction_bits(fraction), is_signed(true) {}
+
+  int bits;           ///< 1 ... 64
+  int fraction_bits;  ///< 0 ... bits
+  bool is_signed;     ///< two's complement; otherwise unsigned
+
+ private:
+  static constexpr int in_routines(int fraction) {
+    if (fraction >= 2 && fraction <= 16) return fraction;
+    throw std::invalid_argument("fraction_bits must be 2 ... 16");
+  }
+};
 
 /// How an exact rational is rounded to an integer number of ulps.
 enum class Rounding {

@@ -1,6 +1,6 @@
 #include "oracle/whole_function.hpp"
 
-#include "oracle/unbounded.hpp"
+#include "oracle/format.hpp"
 
 namespace oracle {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/web/json.hpp"
 #include "app/web/operand.hpp"
 #include "app/web/words.hpp"
-#include "oracle/unbounded.hpp"
+#include "oracle/format.hpp"
 
 namespace fixproof::web {
 

@@ -9,7 +9,6 @@
 
 #include "judge/check/rules.hpp"
 #include "oracle/fast.hpp"
-#include "oracle/fast_format.hpp"
 #include "oracle/integer.hpp"
 #include "oracle/rule.hpp"
 #include "verify/cases/variant.hpp"
@@ -34,22 +33,25 @@ inline std::optional<std::int64_t> narrow_ulps(cases::Operation operation,
                                                oracle::Rounding rule) {
   const auto a = static_cast<std::uint32_t>(words[0]);
   const auto b = static_cast<std::uint32_t>(words.back());
-  constexpr oracle::Format format{};
+  constexpr oracle::Format format;
   const auto signed_word = [](std::optional<oracle::LongWord> word) -> std::optional<std::int64_t> {
     if (!word) return std::nullopt;
     return static_cast<std::int32_t>(*word);
   };
+  const auto value_of = [](std::optional<oracle::fast::Signed> ulps) {
+    return ulps ? std::optional(ulps->value()) : std::nullopt;
+  };
   switch (operation) {
     case cases::Operation::mul:
-      return oracle::fast::exact_product(a, b, rule, 16);
+      return oracle::fast::exact_product(a, b, rule, format).value();
     case cases::Operation::div:
-      return oracle::fast::exact_quotient(a, b, rule, 16);
+      return value_of(oracle::fast::exact_quotient(a, b, rule, format));
     case cases::Operation::sqrt:
-      return oracle::fast::exact_root(a, rule, 16);
+      return oracle::fast::exact_root(a, rule, format);
     case cases::Operation::add:
-      return oracle::fast::exact_sum(a, b, 16);
+      return oracle::fast::exact_sum(a, b, format);
     case cases::Operation::sub:
-      return oracle::fast::exact_difference(a, b, 16);
+      return oracle::fast::exact_difference(a, b, format);
     case cases::Operation::fmod:
       return signed_word(oracle::fast::truncated_remainder(a, b, format));
     case cases::Operation::remainder:

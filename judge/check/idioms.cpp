@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "oracle/format.hpp"
-#include "oracle/unbounded.hpp"
 
 namespace fixproof::check {
 

@@ -60,9 +60,8 @@ Number mirrored(const Number& root, const Number& square, Rounding rounding) {
 Said mirrored_root(std::uint64_t radicand, const cases::Format& format, Rounding rounding) {
   const std::uint64_t size = magnitude(radicand, format);
   if (format == cases::q16_16 && radicand != lowest(format)) {
-    const auto root = oracle::fast::exact_root(static_cast<std::uint32_t>(size), rounding, 16);
-    const auto square = static_cast<std::int64_t>(size << 16U);
-    return static_cast<std::uint32_t>(mirrored(*root, square, rounding));
+    const auto root = oracle::fast::exact_root(size, rounding, 16);
+    return static_cast<std::uint32_t>(mirrored(*root, size << 16U, rounding));
   }
   // The magnitude of the lowest word fits only an unsigned word.
   oracle::Format wide = oracle_format(format);

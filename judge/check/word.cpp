@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "oracle/format.hpp"
-#include "oracle/unbounded.hpp"
 #include "support/hex.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "measure/accuracy/scene_operands.hpp"
-#include "oracle/unbounded.hpp"
+#include "oracle/format.hpp"
 #include "verify/cases/draw.hpp"
 #include "verify/cases/streams.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "fixed/fixed.hpp"
 #include "measure/accuracy/number_subject.hpp"
+#include "oracle/format.hpp"
 #include "oracle/real.hpp"
-#include "oracle/unbounded.hpp"
 
 namespace fixproof::measure {
 

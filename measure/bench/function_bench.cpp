@@ -22,7 +22,7 @@
 #include "fixed/fixed.hpp"
 #include "fixed/power.hpp"
 #include "fixed/trigonometry.hpp"
-#include "oracle/fast_format.hpp"
+#include "oracle/fast.hpp"
 #include "oracle/function.hpp"
 #if defined(FIXPROOF_LIBFIXMATH)
 #include <libfixmath/fix16.h>

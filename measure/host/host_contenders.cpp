@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "oracle/unbounded.hpp"
+#include "oracle/format.hpp"
 
 namespace fixproof::measure {
 

@@ -29,7 +29,7 @@ inline HostJudgement judged(bool right) {
   return right ? HostJudgement::right : HostJudgement::wrong;
 }
 
-inline HostJudgement is_word(double result, std::uint32_t word) {
+inline HostJudgement is_word(double result, std::uint64_t word) {
   return judged(result == static_cast<std::int32_t>(word));
 }
 
@@ -54,7 +54,8 @@ HostJudgement quotient_of_fixed_asm(const HostCase& c) {
 }
 
 inline HostJudgement root_rounded(const HostCase& c) {
-  const auto root = oracle::fast::sqrt(word_of_units(c.operands[0]), 16);
+  const auto root =
+      oracle::fast::exact_root(word_of_units(c.operands[0]), oracle::Rounding::half_up, 16);
   return root ? is_word(c.result, *root) : HostJudgement::wrong;
 }
 
@@ -67,7 +68,8 @@ template <oracle::Rounding R>
 HostJudgement coordinate_rounded(const HostCase& c) {
   std::uint32_t sum = word_of_units(c.operands[3]);
   for (std::size_t k = 0; k < 3; ++k) {
-    sum += oracle::fast::mul(word_of_units(c.operands[k]), word_of_units(c.operands[4 + k]), R, 16);
+    sum += static_cast<std::uint32_t>(
+        oracle::fast::mul(word_of_units(c.operands[k]), word_of_units(c.operands[4 + k]), R, 16));
   }
   return is_word(c.result, sum);
 }

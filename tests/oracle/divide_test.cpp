@@ -1,5 +1,5 @@
 #include "oracle/exact.hpp"
-#include "oracle/unbounded.hpp"
+#include "oracle/format.hpp"
 #include "tests/oracle/rules.hpp"
 #include "tests/support/test.hpp"
 #include "tests/support/worked.hpp"

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "oracle/fast_format.hpp"
-#include "oracle/unbounded.hpp"
+#include "oracle/fast.hpp"
 
 namespace {
 
@@ -100,18 +99,12 @@ TEST(OracleFormat, ConversionRoundsOnce) {
   EXPECT_EQ(oracle::converted(24, to, from, Rounding::floor), 0x18000);
 }
 
-TEST(OracleFormat, AgreesWithTheOracleOf16Dot16) {
-  const Format format{32, 16, true};
-  std::uint64_t state = 1;
-  for (int i = 0; i < 2000; ++i) {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    const auto a = static_cast<oracle::Word>(state >> 32U) >> (state % 29);
-    const auto b = static_cast<oracle::Word>(state >> 7U) >> (state % 13);
-    for (const Rounding rule : rules) {
-      ASSERT_EQ(oracle::exact_product(a, b, rule, format), oracle::exact_product(a, b, rule, 16));
-      ASSERT_EQ(oracle::exact_quotient(a, b, rule, format), oracle::exact_quotient(a, b, rule, 16));
-      ASSERT_EQ(oracle::exact_root(a, rule, format), oracle::exact_root(a, rule, 16));
-    }
+TEST(OracleFormat, AFractionNamesTheFormatOfTheListings) {
+  for (int fraction = 2; fraction <= 16; ++fraction) {
+    const Format format = fraction;
+    EXPECT_EQ(format.bits, 2 * fraction);
+    EXPECT_EQ(format.fraction_bits, fraction);
+    EXPECT_TRUE(format.is_signed);
   }
 }
 

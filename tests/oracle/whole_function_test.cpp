@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "oracle/fast_format.hpp"
+#include "oracle/fast.hpp"
 
 namespace {
 
@@ -57,7 +57,7 @@ TEST(OracleWholeFunctions, TheQuotientOfAProduct) {
           const int z = byte_value(c, format);
           const auto down = oracle::product_quotient(x, y, z, Rounding::floor);
           const auto up = oracle::product_quotient(x, y, z, Rounding::half_up);
-          const auto fast = oracle::fast::product_quotient(a, b, c, format);
+          const auto fast = oracle::fast::product_quotient(a, b, c, Rounding::half_up, format);
           ASSERT_EQ(down.has_value(), z != 0);
           ASSERT_EQ(fast.has_value(), z != 0);
           if (z == 0) continue;

@@ -7,7 +7,7 @@
 #include "fixed/exponential.hpp"
 #include "fixed/power.hpp"
 #include "fixed/trigonometry.hpp"
-#include "oracle/fast_format.hpp"
+#include "oracle/fast.hpp"
 #include "oracle/function.hpp"
 #include "oracle/function_names.hpp"
 #include "oracle/whole_function.hpp"

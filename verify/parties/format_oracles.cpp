@@ -1,5 +1,5 @@
-#include "oracle/fast_format.hpp"
-#include "oracle/unbounded.hpp"
+#include "oracle/fast.hpp"
+#include "oracle/format.hpp"
 #include "verify/parties/formats.hpp"
 #include "verify/parties/oracle_format.hpp"
 
@@ -22,33 +22,43 @@ Integer nearest_double(const Integer& value) {
   return oracle::rounded(value, Integer(1) << dropped, Rounding::half_even) << dropped;
 }
 
-}  // namespace
-
-void answer_exactly(const cases::Variant& v, const Batch& batch) {
-  if (cases::is_function(v.operation)) return answer_function_exactly(v, batch);
-  if (cases::is_quotient_function(v.operation)) return answer_quotient_exactly(v, batch);
+template <class Int>
+void answer_in(const cases::Variant& v, const Batch& batch) {
   const oracle::Format format = oracle_format(v.format);
   each_number(v, batch, [&](LongWord a, LongWord b) -> Result {
     switch (v.operation) {
       case Operation::add:
-        return oracle::wrap(oracle::ulps(a, format) + oracle::ulps(b, format), format);
+        return oracle::wrap<Int>(oracle::ulps<Int>(a, format) + oracle::ulps<Int>(b, format),
+                                 format);
       case Operation::sub:
-        return oracle::wrap(oracle::ulps(a, format) - oracle::ulps(b, format), format);
+        return oracle::wrap<Int>(oracle::ulps<Int>(a, format) - oracle::ulps<Int>(b, format),
+                                 format);
       case Operation::mul:
-        return oracle::wrap(oracle::exact_product(a, b, Rounding::half_up, format), format);
+        return oracle::wrap<Int>(oracle::exact_product<Int>(a, b, Rounding::half_up, format),
+                                 format);
       case Operation::div: {
-        const auto quotient = oracle::exact_quotient(a, b, Rounding::half_up, format);
+        const auto quotient = oracle::exact_quotient<Int>(a, b, Rounding::half_up, format);
         if (!quotient) return std::nullopt;
-        return oracle::wrap(*quotient, format);
+        return oracle::wrap<Int>(*quotient, format);
       }
       case Operation::sqrt:
-        return oracle::wrap(oracle::exact_root(a, Rounding::half_up, format).value_or(0), format);
+        return oracle::wrap<Int>(oracle::exact_root<Int>(a, Rounding::half_up, format).value_or(0),
+                                 format);
       case Operation::binary64:
         return oracle::wrap(nearest_double(oracle::ulps(a, format)), format);
       default:
         return a;  // decimal text is exact, so the way there and back is the identity
     }
   });
+}
+
+}  // namespace
+
+void answer_exactly(const cases::Variant& v, const Batch& batch) {
+  if (cases::is_function(v.operation)) return answer_function_exactly(v, batch);
+  if (cases::is_quotient_function(v.operation)) return answer_quotient_exactly(v, batch);
+  return v.format.word_bits <= 32 ? answer_in<oracle::Wide>(v, batch)
+                                  : answer_in<Integer>(v, batch);
 }
 
 void answer_fast(const cases::Variant& v, const Batch& batch) {
@@ -63,11 +73,13 @@ void answer_fast(const cases::Variant& v, const Batch& batch) {
     case Operation::sub:
       return each([&](LongWord a, LongWord b) -> Result { return (a - b) & ones; });
     case Operation::mul:
-      return each(
-          [&](LongWord a, LongWord b) -> Result { return oracle::fast::mul(a, b, format); });
+      return each([&](LongWord a, LongWord b) -> Result {
+        return oracle::fast::mul(a, b, Rounding::half_up, format);
+      });
     case Operation::div:
-      return each(
-          [&](LongWord a, LongWord b) -> Result { return oracle::fast::quotient(a, b, format); });
+      return each([&](LongWord a, LongWord b) -> Result {
+        return oracle::fast::quotient(a, b, Rounding::half_up, format);
+      });
     case Operation::sqrt: {
       LongWord guess = 0;
       return each([&](LongWord a, LongWord /*b*/) -> Result {

@@ -1,7 +1,7 @@
 // Remainders and the quotient of a product, in every format.
 #include <array>
 
-#include "oracle/fast_format.hpp"
+#include "oracle/fast.hpp"
 #include "oracle/whole_function.hpp"
 #include "verify/parties/formats.hpp"
 #include "verify/parties/oracle_format.hpp"
@@ -81,7 +81,8 @@ void answer_quotient_fast(const cases::Variant& v, const Batch& batch) {
       });
     default:
       return each([&](const Operands& in) -> Result {
-        return oracle::fast::product_quotient(in[0], in[1], in[2], format);
+        return oracle::fast::product_quotient(in[0], in[1], in[2], oracle::Rounding::half_up,
+                                              format);
       });
   }
 }

@@ -26,6 +26,14 @@ constexpr bool exists_in_format(const cases::Variant& v) {
          operation == sqrt || operation == decimal || operation == binary64;
 }
 
+/// Tells whether the variant is a routine of FIXED.ASM, whose answer depends on its build.
+constexpr bool is_of_build(const cases::Variant& v) {
+  const bool is_number =
+      v.operation == cases::Operation::mul || v.operation == cases::Operation::div;
+  return cases::is_routine(v.operation) && cases::has_routine_format(v) &&
+         !(is_number && v.build.target == cases::Target::standard);
+}
+
 /// Tells whether the variant has the only rules that exist in every format.
 constexpr bool is_standard(const cases::Variant& v) {
   return v.build.target == cases::Target::standard;

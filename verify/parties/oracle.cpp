@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <boost/version.hpp>
-#include <cmath>
 #include <optional>
 #include <span>
 
-#include "oracle/decimal.hpp"
 #include "oracle/exact.hpp"
 #include "oracle/fast.hpp"
 #include "oracle/fast_sine.hpp"
-#include "oracle/unbounded.hpp"
 #include "verify/parties/formats.hpp"
+#include "verify/parties/oracle_format.hpp"
 #include "verify/parties/parties.hpp"
 
 namespace fixproof::parties {
@@ -59,19 +57,14 @@ void each_case(const cases::Variant& v, const Batch& batch, OneCase one_case) {
   }
 }
 
-std::optional<Word> word_of_ulps(const std::optional<oracle::Integer>& ulps, int fraction_bits) {
-  const int bits = oracle::word_bits(fraction_bits);
-  if (!ulps || !oracle::fits(*ulps, bits)) return std::nullopt;
-  return oracle::wrap(*ulps, bits);
+bool store(oracle::LongWord answer, std::span<std::uint32_t> out) {
+  out[0] = static_cast<std::uint32_t>(answer);
+  return true;
 }
 
-/// The conversion is exact: a word has fewer bits than a double.
-double double_of(Word word, int fraction_bits) {
-  return std::ldexp(oracle::ulps(word, fraction_bits).convert_to<double>(), -fraction_bits);
-}
-
-bool store(const std::optional<Word>& answer, std::span<std::uint32_t> out) {
-  out[0] = answer.value_or(0);
+template <class Answer>
+bool store(const std::optional<Answer>& answer, std::span<std::uint32_t> out) {
+  out[0] = static_cast<std::uint32_t>(answer.value_or(0));
   return answer.has_value();
 }
 
@@ -79,6 +72,12 @@ template <std::size_t n>
 bool store(const std::array<Word, n>& answer, std::span<std::uint32_t> out) {
   std::copy(answer.begin(), answer.end(), out.begin());
   return true;
+}
+
+/// The sines in the formats of FIXED.ASM have oracles of their own.
+bool is_sine_of_routine_format(const cases::Variant& v) {
+  return (v.operation == cases::Operation::sin || v.operation == cases::Operation::cos) &&
+         cases::has_routine_format(v);
 }
 
 class Oracle final : public Party {
@@ -93,46 +92,29 @@ class Oracle final : public Party {
     return v.operation != cases::Operation::cossin || v.format == cases::q16_16;
   }
   void fill(const cases::Variant& v, const Batch& batch) const override {
-    if (!cases::has_routine_format(v)) return answer_exactly(v, batch);
-    const int bits = v.format.fraction_bits;
+    if (!is_of_build(v) && !is_sine_of_routine_format(v)) return answer_exactly(v, batch);
+    const oracle::Format format = oracle_format(v.format);
     const Rounding rounding = multiply_rule(v);
     each_case(v, batch, [&](std::span<const Word> in, std::span<Word> out) {
       switch (v.operation) {
         case cases::Operation::mul:
-          return store(oracle::mul(in[0], in[1], rounding, bits), out);
+          return store(oracle::mul(in[0], in[1], rounding, format), out);
         case cases::Operation::div:
-          return store(v.build.target == cases::Target::standard
-                           ? oracle::quotient(in[0], in[1], rounding, bits)
-                           : oracle::div(in[0], in[1], divide_rule(v), bits),
-                       out);
+          return store(oracle::div(in[0], in[1], divide_rule(v), format), out);
         case cases::Operation::cossin: {
           const auto angle = static_cast<std::int16_t>(static_cast<std::uint16_t>(in[0]));
           const oracle::CosSin both = oracle::cos_sin(angle);
           return store(std::array{both.cos, both.sin}, out);
         }
         case cases::Operation::xformvec:
-          return store(oracle::xform_vec(in.first<12>(), in.last<3>(), rounding, bits), out);
+          return store(oracle::xform_vec(in.first<12>(), in.last<3>(), rounding, format), out);
         case cases::Operation::concat:
           return store(
-              oracle::concat(in.first<12>(), in.last<12>(), rounding, translation(v), bits), out);
-        case cases::Operation::sqrt:
-          return store(oracle::sqrt(in[0], bits).value_or(0), out);
+              oracle::concat(in.first<12>(), in.last<12>(), rounding, translation(v), format), out);
         case cases::Operation::sin:
-          return store(oracle::sin(in[0], bits), out);
+          return store(oracle::sin(in[0], format), out);
         case cases::Operation::cos:
-          return store(oracle::cos(in[0], bits), out);
-        case cases::Operation::decimal:
-          return store(
-              word_of_ulps(oracle::from_decimal(oracle::to_decimal(in[0], bits), rounding, bits),
-                           bits),
-              out);
-        case cases::Operation::add:
-          return store(oracle::add(in[0], in[1], bits), out);
-        case cases::Operation::sub:
-          return store(oracle::sub(in[0], in[1], bits), out);
-        case cases::Operation::binary64:
-          return store(
-              word_of_ulps(oracle::from_double(double_of(in[0], bits), rounding, bits), bits), out);
+          return store(oracle::cos(in[0], format), out);
         default:  // a conversion, which answers() refuses
           return false;
       }
@@ -140,7 +122,6 @@ class Oracle final : public Party {
   }
 };
 
-/// Decimal and double round trips are the identity, so this oracle returns the operand.
 class FastOracle final : public Party {
  public:
   [[nodiscard]] std::string_view name() const override { return "fast"; }
@@ -152,59 +133,41 @@ class FastOracle final : public Party {
     return v.operation != cases::Operation::cossin;
   }
   void fill(const cases::Variant& v, const Batch& batch) const override {
-    if (!cases::has_routine_format(v)) return answer_fast(v, batch);
+    if (!is_of_build(v) && !is_sine_of_routine_format(v)) return answer_fast(v, batch);
     // Each operation has its own loop, because the loop dominates the time of a sweep.
-    const int bits = v.format.fraction_bits;
+    const oracle::Format format = oracle_format(v.format);
     const Rounding rounding = multiply_rule(v);
     switch (v.operation) {
       case cases::Operation::mul:
         return each_case(v, batch, [&](auto in, auto out) {
-          return store(oracle::fast::mul(in[0], in[1], rounding, bits), out);
+          return store(oracle::fast::mul(in[0], in[1], rounding, format), out);
         });
       case cases::Operation::div:
-        if (v.build.target == cases::Target::standard) {
-          return each_case(v, batch, [&](auto in, auto out) {
-            return store(oracle::fast::quotient(in[0], in[1], rounding, bits), out);
-          });
-        }
         return each_case(v, batch, [&, rule = divide_rule(v)](auto in, auto out) {
-          return store(oracle::fast::div(in[0], in[1], rule, bits), out);
+          return store(oracle::fast::div(in[0], in[1], rule, format), out);
         });
       case cases::Operation::xformvec:
         return each_case(v, batch, [&](auto in, auto out) {
           return store(oracle::fast::xform_vec(in.template first<12>(), in.template last<3>(),
-                                               rounding, bits),
+                                               rounding, format),
                        out);
         });
       case cases::Operation::concat:
         return each_case(v, batch, [&](auto in, auto out) {
           return store(oracle::fast::concat(in.template first<12>(), in.template last<12>(),
-                                            rounding, translation(v), bits),
+                                            rounding, translation(v), format),
                        out);
-        });
-      case cases::Operation::sqrt:
-        return each_case(v, batch, [&](auto in, auto out) {
-          return store(oracle::fast::sqrt(in[0], bits).value_or(0), out);
         });
       case cases::Operation::sin:
         return each_case(v, batch, [&](auto in, auto out) {
-          return store(oracle::fast::sin(in[0], bits), out);
+          return store(oracle::fast::sin(in[0], format.fraction_bits), out);
         });
       case cases::Operation::cos:
         return each_case(v, batch, [&](auto in, auto out) {
-          return store(oracle::fast::cos(in[0], bits), out);
+          return store(oracle::fast::cos(in[0], format.fraction_bits), out);
         });
-      case cases::Operation::add:
-        return each_case(v, batch, [&](auto in, auto out) {
-          return store(oracle::fast::wrap(oracle::fast::exact_sum(in[0], in[1], bits), bits), out);
-        });
-      case cases::Operation::sub:
-        return each_case(v, batch, [&](auto in, auto out) {
-          return store(oracle::fast::wrap(oracle::fast::exact_difference(in[0], in[1], bits), bits),
-                       out);
-        });
-      default:
-        return each_case(v, batch, [](auto in, auto out) { return store(in[0], out); });
+      default:  // a conversion, which answers() refuses
+        return;
     }
   }
 };

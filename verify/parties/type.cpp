@@ -47,25 +47,6 @@ bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
         out[4 * row + column] = word_of(in_parts ? xsharp::sum_in_parts(sum, moved) : sum + moved);
       }
     }
-  } else if constexpr (operation == cases::Operation::sqrt) {
-    out[0] = word_of(fixproof::sqrt(operand(0)));
-  } else if constexpr (operation == cases::Operation::sin) {
-    out[0] = word_of(fixproof::sin(operand(0)));
-  } else if constexpr (operation == cases::Operation::cos) {
-    out[0] = word_of(fixproof::cos(operand(0)));
-  } else if constexpr (operation == cases::Operation::decimal) {
-    std::array<char, fixproof::max_chars<Number>> text{};
-    const auto written = fixproof::to_chars(text.data(), text.data() + text.size(), operand(0));
-    Number back;
-    const auto read = fixproof::from_chars(text.data(), written.ptr, back);
-    if (read.ec != std::errc{} || read.ptr != written.ptr) return false;
-    out[0] = word_of(back);
-  } else if constexpr (operation == cases::Operation::add) {
-    out[0] = word_of(operand(0) + operand(1));
-  } else if constexpr (operation == cases::Operation::sub) {
-    out[0] = word_of(operand(0) - operand(1));
-  } else {
-    out[0] = word_of(Number(static_cast<double>(operand(0))));
   }
   return true;
 }
@@ -95,21 +76,7 @@ void each_case(const cases::Variant& v, const Batch& batch) {
       return each_case<Number, xformvec>(v, batch);
     case concat:
       return each_case<Number, concat>(v, batch);
-    case sqrt:
-      return each_case<Number, sqrt>(v, batch);
-    case sin:
-      return each_case<Number, sin>(v, batch);
-    case cos:
-      return each_case<Number, cos>(v, batch);
-    case decimal:
-      return each_case<Number, decimal>(v, batch);
-    case binary64:
-      return each_case<Number, binary64>(v, batch);
-    case add:
-      return each_case<Number, add>(v, batch);
-    case sub:
-      return each_case<Number, sub>(v, batch);
-    default:  // a conversion, which answers() refuses
+    default:  // not a routine
       return;
   }
 }
@@ -125,7 +92,7 @@ class Type final : public Party {
     return v.operation != cases::Operation::cossin || v.format == cases::q16_16;
   }
   void fill(const cases::Variant& v, const Batch& batch) const override {
-    if (!cases::has_routine_format(v)) return answer_by_type(v, batch);
+    if (!is_of_build(v)) return answer_by_type(v, batch);
     with_number(
         v, [&]<class Number>(std::type_identity<Number> /*type*/) { each_case<Number>(v, batch); });
   }

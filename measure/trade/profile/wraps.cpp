@@ -19,7 +19,7 @@ std::int64_t exact_product(const cases::Variant& variant, std::uint32_t a, std::
   const auto rounding = variant.build.target == cases::Target::i386
                             ? (rounds ? half_up : floor)
                             : (rounds ? half_away : truncate);
-  return oracle::fast::exact_product(a, b, rounding, 16);
+  return oracle::fast::exact_product(a, b, rounding, 16).value();
 }
 
 /// Truncates, because rounding never moves a quotient of two words across the ends of the range.
@@ -27,7 +27,7 @@ bool quotient_wraps(const cases::Variant& variant, std::uint32_t n, std::uint32_
   // The 8088 listing divides by the whole part of the divisor's magnitude.
   const bool by_whole = variant.build.target == cases::Target::i8088;
   const auto divisor = by_whole ? static_cast<std::uint32_t>(value_of(d) / 65536 * 65536) : d;
-  return !fits(oracle::fast::exact_quotient(n, divisor, oracle::Rounding::truncate, 16).value());
+  return !fits(oracle::fast::exact_quotient(n, divisor, oracle::Rounding::truncate, 16)->value());
 }
 
 std::int64_t row_times(const cases::Variant& variant, std::span<const std::uint32_t> row,

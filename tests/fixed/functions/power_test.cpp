@@ -4,7 +4,7 @@
 #include <array>
 
 #include "fixed/fixed.hpp"
-#include "oracle/unbounded.hpp"
+#include "oracle/format.hpp"
 #include "tests/support/test.hpp"
 
 namespace {

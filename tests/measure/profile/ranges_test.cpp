@@ -5,7 +5,7 @@
 #include "measure/trade/profile/places.hpp"
 #include "measure/trade/profile/value_range.hpp"
 #include "measure/trade/profile/wraps.hpp"
-#include "oracle/unbounded.hpp"
+#include "oracle/format.hpp"
 #include "tests/support/test.hpp"
 
 namespace fixproof {
@@ -130,7 +130,7 @@ RC_GTEST_PROP(Wraps, ProductsAsTheOracleHasThem, ()) {
   const cases::Variant v = any_variant(cases::Operation::mul);
   const std::array in{any_word(0), any_word(0)};
   RC_ASSERT(trade::wraps(v, in) ==
-            !oracle::fits(oracle::exact_product(in[0], in[1], product_rule(v), 16), 32));
+            !oracle::fits(oracle::exact_product(in[0], in[1], product_rule(v), 16), 16));
 }
 
 RC_GTEST_PROP(Wraps, QuotientsAsTheOracleHasThem, ()) {
@@ -145,7 +145,7 @@ RC_GTEST_PROP(Wraps, QuotientsAsTheOracleHasThem, ()) {
   RC_PRE(divisor != 0U);
   const Rounding rule = v.build.div_round ? Rounding::half_away : Rounding::truncate;
   RC_ASSERT(trade::wraps(v, in) ==
-            !oracle::fits(*oracle::exact_quotient(in[0], divisor, rule, 16), 32));
+            !oracle::fits(*oracle::exact_quotient(in[0], divisor, rule, 16), 16));
 }
 
 RC_GTEST_PROP(Wraps, TransformsAsTheOracleHasThem, ()) {
@@ -158,7 +158,7 @@ RC_GTEST_PROP(Wraps, TransformsAsTheOracleHasThem, ()) {
     for (std::size_t j = 0; j < 3; ++j) {
       sum += oracle::exact_product(in.at(4 * i + j), in.at(12 + j), product_rule(v), 16);
     }
-    expected = expected || !oracle::fits(sum, 32);
+    expected = expected || !oracle::fits(sum, 16);
   }
   RC_ASSERT(trade::wraps(v, in) == expected);
 }
@@ -187,7 +187,7 @@ RC_GTEST_PROP(Wraps, ConcatenationsAsTheOracleHasThem, ()) {
         const bool whole = v.build.target == cases::Target::i386 || v.build.repaired;
         sum = whole ? sum + moved : sum_in_parts(sum, moved);
       }
-      expected = expected || !oracle::fits(sum, 32);
+      expected = expected || !oracle::fits(sum, 16);
     }
   }
   RC_ASSERT(trade::wraps(v, in) == expected);
