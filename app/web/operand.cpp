@@ -24,12 +24,6 @@ std::optional<std::uint64_t> word_after_prefix(std::string_view text, int bits) 
 
 }  // namespace
 
-oracle::Format oracle_format(const cases::Format& format) {
-  return {.bits = format.word_bits,
-          .fraction_bits = format.fraction_bits,
-          .is_signed = format.is_signed};
-}
-
 std::string range_of(const NumberFormat& format) {
   const oracle::Format f = oracle_format(format.format);
   return format.write(oracle::wrap(oracle::lowest(f), f)) + " to " +

@@ -89,7 +89,7 @@ Exact exact(Function function) {
   };
 }
 
-constexpr oracle::Format format{.bits = 32, .fraction_bits = 16, .is_signed = true};
+constexpr oracle::Format format = 16;
 
 std::uint32_t bits(std::int32_t word) { return static_cast<std::uint32_t>(word); }
 
