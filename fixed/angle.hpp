@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Angles in radians from vectors, tangents, sines and cosines, correctly rounded for every operand
 /// of every format of at most 32 bits.
 ///
@@ -90,12 +90,12 @@ template <class Raw, int F, policy P>
   return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::cosine>(x, "acos");
 }
 
-/// \cond
+/// @cond
 FIXED_REFUSED_PLAIN(atan)
 FIXED_REFUSED_PLAIN(asin)
 FIXED_REFUSED_PLAIN(acos)
 FIXED_REFUSED_MIX(atan2)
-/// \endcond
+/// @endcond
 
 }  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

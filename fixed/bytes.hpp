@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Numbers as bytes in a defined order, for files and networks.
 #pragma once
 
@@ -36,7 +36,7 @@ constexpr int shift_of_byte(std::size_t index, std::size_t count) noexcept {
 ///     constexpr auto bytes = to_bytes<std::endian::big>(q16_16(-1.5));  // ff fe 80 00
 ///     static_assert(bytes.size() == 4 && bytes[1] == std::byte{0xfe});
 ///
-/// \tparam Order std::endian::little or std::endian::big
+/// @tparam Order std::endian::little or std::endian::big
 template <std::endian Order, class Raw, int F, policy P>
 [[nodiscard]] constexpr std::array<std::byte, sizeof(Raw)> to_bytes(number<Raw, F, P> x) noexcept {
   const auto bits = static_cast<std::uint64_t>(x.raw());
@@ -56,8 +56,8 @@ template <std::endian Order, class Raw, int F, policy P>
 ///     static_assert(from_bytes<q8_8, std::endian::little>(std::span(file).first<2>()) ==
 ///     q8_8(1.5));
 ///
-/// \tparam Number the type of the result
-/// \tparam Order  std::endian::little or std::endian::big
+/// @tparam Number the type of the result
+/// @tparam Order  std::endian::little or std::endian::big
 template <any_number Number, std::endian Order>
 [[nodiscard]] constexpr Number from_bytes(
     std::span<const std::byte, byte_count<Number>> bytes) noexcept {

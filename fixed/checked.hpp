@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Overflow as a value: four forms of every operation that can overflow, the same under every
 /// policy.
 ///
@@ -71,7 +71,7 @@ constexpr auto with_quotient(N n, N d, const Done& done, const ByZero& by_zero) 
 
 }  // namespace detail
 
-/// \name a + b
+/// @name a + b
 /// \{
 
 /// a + b.
@@ -93,7 +93,7 @@ template <any_number N>
 }
 /// \}
 
-/// \name a - b
+/// @name a - b
 /// \{
 
 /// a - b.
@@ -115,7 +115,7 @@ template <any_number N>
 }
 /// \}
 
-/// \name a * b, rounded once by policy::multiply
+/// @name a * b, rounded once by policy::multiply
 /// \{
 
 /// a * b, rounded once by policy::multiply.
@@ -141,7 +141,7 @@ template <any_number N>
 }
 /// \}
 
-/// \name a * b + c, rounded once by policy::multiply
+/// @name a * b + c, rounded once by policy::multiply
 /// \{
 
 /// a * b + c, rounded once by policy::multiply.
@@ -167,7 +167,7 @@ template <any_number N>
 }
 /// \}
 
-/// \name -a
+/// @name -a
 /// \{
 
 /// -a.
@@ -189,7 +189,7 @@ template <any_number N>
 }
 /// \}
 
-/// \name The absolute value of a
+/// @name The absolute value of a
 /// \{
 
 /// The absolute value of a.
@@ -211,7 +211,7 @@ template <any_number N>
 }
 /// \}
 
-/// \name a * 2^places
+/// @name a * 2^places
 /// \{
 
 /// a * 2^places. A negative `places` shifts right, toward -infinity, as in a << places. Unlike
@@ -234,7 +234,7 @@ template <any_number N>
 }
 /// \}
 
-/// \name n / d
+/// @name n / d
 /// \{
 
 /// n / d, rounded once by policy::divide.

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Functions of `<cmath>` that are exact on numbers: remainders, parts, neighbours and signs.
 /// fixed/math.hpp, exponential.hpp, trigonometry.hpp, angle.hpp and power.hpp have the others.
 #pragma once
@@ -168,7 +168,7 @@ template <class Raw, int F, policy P>
   return x.raw() != 0;
 }
 
-/// \cond
+/// @cond
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares functions
 #define FIXED_NEEDS_SIGN(name, ...)                                                       \
   template <std::unsigned_integral Raw, int F, policy P>                                  \
@@ -179,6 +179,6 @@ FIXED_NEEDS_SIGN(remquo, int*)
 #undef FIXED_NEEDS_SIGN
 FIXED_REFUSED_MIX(fmod)
 FIXED_REFUSED_MIX(remainder)
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Mathematical constants, each rounded to the nearest number of any format.
 ///
 /// The names are those of `<numbers>`, and `tau_v`. The policy of the type does not matter: no
@@ -32,7 +32,7 @@ struct constant {
 };
 
 /// c in units of 2^-FractionBits: truncated, and 1 if the next bit is set, which means that the
-/// number above is nearer. \pre whole * 2^FractionBits is less than 2^64
+/// number above is nearer. @pre whole * 2^FractionBits is less than 2^64
 struct truncated {
   std::uint64_t units;
   std::uint64_t up;
@@ -174,7 +174,7 @@ inline constexpr Number egamma_v = detail::nearest<Number, detail::constants::eg
 
 }  // namespace fixproof
 
-/// \name Constants of `<numbers>`
+/// @name Constants of `<numbers>`
 /// Equal to the constants of namespace fixproof.
 /// \{
 template <class Raw, int F, fixproof::policy P>

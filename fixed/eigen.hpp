@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Numbers as the scalars of Eigen 3.4 and later. This header includes `<Eigen/Core>`, and
 /// fixed/fixed.hpp does not include it. docs/libraries.md says what works.
 #pragma once

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The exceptions that policies throw. The text names the operation and its operands.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Exponentials, logarithms and hyperbolic functions, correctly rounded for every operand of every
 /// format of at most 32 bits.
 ///
@@ -190,7 +190,7 @@ template <class Raw, int F, policy P>
   return detail::limited<number<Raw, F, P>>(x.raw() < 0 ? -ulps : ulps, "tanh", x);
 }
 
-/// \cond
+/// @cond
 FIXED_REFUSED_PLAIN(exp)
 FIXED_REFUSED_PLAIN(exp2)
 FIXED_REFUSED_PLAIN(expm1)
@@ -201,7 +201,7 @@ FIXED_REFUSED_PLAIN(log1p)
 FIXED_REFUSED_PLAIN(sinh)
 FIXED_REFUSED_PLAIN(cosh)
 FIXED_REFUSED_PLAIN(tanh)
-/// \endcond
+/// @endcond
 
 }  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

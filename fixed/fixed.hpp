@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// All of namespace fixproof except fixed/exponential.hpp, fixed/trigonometry.hpp, fixed/angle.hpp,
 /// fixed/power.hpp, fixed/bytes.hpp, fixed/eigen.hpp, fixed/batch/batch.hpp, fixed/batch/radian.hpp
 /// and judge/property/generator.hpp.

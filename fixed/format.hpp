@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// `{}` for std::format, if the library has it, and for fmt, if fmt is included before this header.
 ///
 /// The format specification is `[[fill]align][sign][#][0][width][.precision][type]`.
@@ -48,7 +48,7 @@ class format_reader {
   bool pads_with_zeros = false;
   std::size_t width = 0;
 
-  /// \return the end of the specification
+  /// @return the end of the specification
   template <class Iterator>
   constexpr Iterator read(Iterator it, const Iterator end) {
     if (it != end && it + 1 != end && is_align(it[1]) && *it != '{' && *it != '}') fill = *it++;

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Names for formats other than 16.16 and 8.8, and for any format under another policy.
 ///
 /// qW_F has W bits before the point, the sign included, and F after it; uW_F has no sign. All of
@@ -19,7 +19,7 @@ namespace fixproof {
 template <class Number, policy P>
 using with_policy = number<typename Number::raw_type, Number::fraction_bits, P>;
 
-/// \name 8 bits
+/// @name 8 bits
 /// \{
 
 /// Two's complement, or unsigned.
@@ -30,7 +30,7 @@ using u4_4 = number<std::uint8_t, 4>;
 using u0_8 = number<std::uint8_t, 8>;
 /// \}
 
-/// \name 16 bits
+/// @name 16 bits
 /// \{
 
 /// Two's complement, or unsigned.
@@ -43,7 +43,7 @@ using u1_15 = number<std::uint16_t, 15>;
 using u0_16 = number<std::uint16_t, 16>;
 /// \}
 
-/// \name 32 bits
+/// @name 32 bits
 /// \{
 
 /// Two's complement, or unsigned.
@@ -62,7 +62,7 @@ using u1_31 = number<std::uint32_t, 31>;
 using u0_32 = number<std::uint32_t, 32>;
 /// \}
 
-/// \name 64 bits
+/// @name 64 bits
 /// \{
 
 /// Two's complement, or unsigned.

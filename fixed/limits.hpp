@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// std::numeric_limits and std::hash.
 #pragma once
 
@@ -38,7 +38,7 @@ class std::numeric_limits<fixproof::number<Raw, FractionBits, P>> {
   }
 
  public:
-  /// \name Properties of the type
+  /// @name Properties of the type
   /// \{
 
   /// Members as the standard names them.

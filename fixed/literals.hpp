@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Literals: 1.5_q16_16. A literal that is not a value of the type does not compile;
 /// 0.1_q16_16_rounded is the value nearest to 0.1, ties to even.
 ///
@@ -103,7 +103,7 @@ consteval N literal() {
 /// The literals; see fixed/literals.hpp.
 namespace fixproof::literals {
 
-/// \cond
+/// @cond
 // NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): defines two operators
 #define FIXED_LITERAL(type)                                    \
   template <char... Chars>                                     \
@@ -152,6 +152,6 @@ FIXED_LITERAL(u48_16)
 FIXED_LITERAL(u32_32)
 FIXED_LITERAL(u0_64)
 #undef FIXED_LITERAL
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof::literals

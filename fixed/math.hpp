@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Mathematical functions: whole parts, absolute value, square root, and sums of products with one
 /// rounding.
 #pragma once
@@ -201,7 +201,7 @@ constexpr N rounded_sum(std::uint64_t sum) noexcept {
   return N::from_raw(static_cast<typename N::raw_type>((sum + half) >> F));
 }
 
-/// Rounds a sum of products once. \param terms the number of terms, for the text of an error
+/// Rounds a sum of products once. @param terms the number of terms, for the text of an error
 template <class N>
 constexpr N rounded_sum(wide_sum sum, std::size_t terms) noexcept(N::multiply_never_throws) {
   using raw = typename N::raw_type;
@@ -259,10 +259,10 @@ requires std::same_as<detail::element_t<A>, detail::element_t<B>>
   }
 }
 
-/// \cond
+/// @cond
 FIXED_REFUSED_PLAIN(sqrt)
 FIXED_REFUSED_MIX(mul_add)
 FIXED_REFUSED_MIX(lerp)
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Arithmetic on numbers of different formats. The caller names the type of the result; the exact
 /// result is rounded once to that type.
 #pragma once
@@ -17,7 +17,7 @@ namespace fixproof {
 namespace detail {
 
 /// The exact value * 2^-FractionBits in units of To, rounded by policy::multiply.
-/// \tparam Bits the width of the value
+/// @tparam Bits the width of the value
 template <class To, int FractionBits, int Bits, class Wide>
 constexpr auto rescaled(const Wide& value) noexcept {
   constexpr int up = To::fraction_bits - FractionBits;

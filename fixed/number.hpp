@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The fixed-point type.
 #pragma once
 
@@ -41,9 +41,9 @@ namespace fixproof {
 ///     static_assert(q16_16_saturating(300) * q16_16_saturating(300) ==
 ///                   std::numeric_limits<q16_16_saturating>::max());
 ///
-/// \tparam Raw          the stored integer: signed or unsigned, of 8 to 64 bits
-/// \tparam FractionBits the binary digits after the point: 0 to the width of Raw
-/// \tparam P            the rules for rounding, overflow and division
+/// @tparam Raw          the stored integer: signed or unsigned, of 8 to 64 bits
+/// @tparam FractionBits the binary digits after the point: 0 to the width of Raw
+/// @tparam P            the rules for rounding, overflow and division
 template <class Raw, int FractionBits, policy P = policies::wrapping>
 class number {
   static_assert(detail::integer<Raw> && !std::is_const_v<Raw> && !std::is_volatile_v<Raw>,
@@ -85,7 +85,7 @@ class number {
     result.raw_ = raw;
     return result;
   }
-  /// \cond
+  /// @cond
   template <class T>
   requires std::is_floating_point_v<T>
   static number from_raw(T)
@@ -93,7 +93,7 @@ class number {
   template <class OtherRaw, int OtherBits, policy Q>
   static number from_raw(number<OtherRaw, OtherBits, Q>)
       FIXED_INSTEAD("from_raw takes the stored integer: write from_raw(x.raw())");
-  /// \endcond
+  /// @endcond
 
   /// The stored integer: the value times 2^FractionBits.
   [[nodiscard]] constexpr raw_type raw() const noexcept { return raw_; }
@@ -144,7 +144,7 @@ class number {
         value, [other] { detail::raise_overflow<OtherBits>("conversion", other.raw()); });
   }
 
-  /// \cond
+  /// @cond
   // Conversions that do not compile. The pack, which is always empty, makes each of these a worse
   // match than an explicit conversion; so does volatile.
   template <class T, class... Nothing>
@@ -163,7 +163,7 @@ class number {
   operator double() const volatile FIXED_INSTEAD(
       "conversions are explicit: write static_cast<double>(x), or static_cast<int>(x)");
   explicit operator bool() const FIXED_INSTEAD("a number is not a condition: write x != 0");
-  /// \endcond
+  /// @endcond
 
   /// The nearest double, ties to even, in every rounding mode of the processor. Exact if the number
   /// has at most 53 significant bits, as all numbers of 32 bits or less do.
@@ -277,7 +277,7 @@ class number {
     const Raw almost = static_cast<Raw>(x.raw_ >> (places < most ? places : most));
     return from_raw(places > most ? static_cast<Raw>(almost >> 1) : almost);
   }
-  /// \cond
+  /// @cond
   // Without these, an unsigned or wider `places` is ambiguous under clang++, and g++ warns, because
   // a shift of built-in integers takes it as it is.
   [[nodiscard]] friend constexpr number operator<<(number x, detail::integer auto places) noexcept(
@@ -288,7 +288,7 @@ class number {
       never_throws) {
     return x >> detail::places_of(places);
   }
-  /// \endcond
+  /// @endcond
 
   /// Adds b. If this throws, the number is unchanged and the error names operator+.
   FIXED_INLINE_UNOPTIMISED constexpr number& operator+=(number b) noexcept(never_throws) {
@@ -318,7 +318,7 @@ class number {
   constexpr number& operator>>=(int places) noexcept(never_throws) {
     return *this = *this >> places;
   }
-  /// \cond
+  /// @cond
   constexpr number& operator<<=(detail::integer auto places) noexcept(never_throws) {
     return *this = *this << places;
   }
@@ -327,9 +327,9 @@ class number {
   }
   number& operator<<=(std::floating_point auto) = delete;
   number& operator>>=(std::floating_point auto) = delete;
-  /// \endcond
+  /// @endcond
 
-  /// \name Integers
+  /// @name Integers
   /// An integer has its exact value, even if the type cannot represent it. An integer divided by a
   /// number does not compile: write q16_16(1) / x. bool and the character types do not mix with
   /// numbers.
@@ -531,7 +531,7 @@ template <class Raw, int FractionBits, policy P>
 
 /// 16.16: every operation rounds to nearest, ties up; overflow wraps.
 using q16_16 = number<std::int32_t, 16>;
-/// \name 16.16 under the other policies of fixproof::policies
+/// @name 16.16 under the other policies of fixproof::policies
 /// \{
 
 /// 16.16 under the policy of the same name; i386 and i8088 mean i386_rounded and i8088_rounded.
@@ -549,7 +549,7 @@ using q16_16_i8088_unrounded = number<std::int32_t, 16, policies::i8088_unrounde
 
 /// 8.8 under the policy of q16_16.
 using q8_8 = number<std::int16_t, 8>;
-/// \name 8.8 under the other policies of fixproof::policies
+/// @name 8.8 under the other policies of fixproof::policies
 /// \{
 
 /// 8.8 under the policy of the same name; i386 and i8088 mean i386_rounded and i8088_rounded.

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The rules for rounding, overflow and division, and the named policies.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Roots, reciprocals, lengths and powers, correctly rounded for every operand.
 ///
 /// Each result is the number nearest to the exact value, under every policy. If the policy rounds
@@ -170,13 +170,13 @@ template <class Raw, int F, policy P>
   return detail::limited<result>(detail::FIXED_FUNCTIONS::power_of(x, y), "pow", x, y);
 }
 
-/// \cond
+/// @cond
 FIXED_REFUSED_PLAIN(cbrt)
 FIXED_REFUSED_PLAIN(rsqrt)
 FIXED_REFUSED_PLAIN(reciprocal)
 FIXED_REFUSED_MIX(hypot)
 FIXED_REFUSED_MIX(pow)
-/// \endcond
+/// @endcond
 
 }  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Exact decimal text, with the interface of `<charconv>`, and stream operators.
 #pragma once
 
@@ -26,7 +26,7 @@ inline constexpr std::size_t max_chars =
     detail::max_decimal_chars<typename Number::raw_type, Number::fraction_bits>;
 
 /// Writes the exact value in its shortest form: "-0.5", "3", "0.0000152587890625".
-/// \return the end of the text, or {last, errc::value_too_large} with nothing written if it does
+/// @return the end of the text, or {last, errc::value_too_large} with nothing written if it does
 /// not fit
 ///
 ///     std::array<char, max_chars<q16_16>> text{};
@@ -46,7 +46,7 @@ constexpr std::to_chars_result to_chars(char* first, char* last, number<Raw, F, 
 /// double, and a leading `+`; infinities and NaNs are not read. Digits and exponent may be of any
 /// length: the time is proportional to the length of the text, and the value of the exponent does
 /// not matter.
-/// \return the end of the prefix; errc::invalid_argument, with `first`, if there is none;
+/// @return the end of the prefix; errc::invalid_argument, with `first`, if there is none;
 /// errc::result_out_of_range if the rounded value is out of range, under every policy. On an error
 /// the value is unchanged.
 ///

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// What generic code asks about a number type: whether a type is one, and std::common_type.
 #pragma once
 

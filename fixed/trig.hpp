@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Sine and cosine. sin, cos and sin_cos take radians. sin_of_tenths and the functions like it take
 /// integers in tenths of a degree, as CosSin of FIXED.ASM does, and name the type of the result.
 /// Radians need 8.8 or 16.16; tenths of a degree need a signed type of at most 32 bits that can
@@ -98,7 +98,7 @@ requires detail::has_radians<Raw, F>
   return {cos(angle), sin(angle)};
 }
 
-/// \cond
+/// @cond
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares functions
 #define FIXED_REFUSED_ANGLE(name)                                                           \
   template <class Number, class T>                                                          \
@@ -115,6 +115,6 @@ FIXED_REFUSED_ANGLE(sin_cos)
 #undef FIXED_REFUSED_ANGLE
 FIXED_REFUSED_PLAIN(sin)
 FIXED_REFUSED_PLAIN(cos)
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof

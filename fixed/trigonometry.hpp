@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Sines, cosines and tangents of radians, degrees and turns, correctly rounded for every operand
 /// of every format of at most 32 bits.
 ///
@@ -170,7 +170,7 @@ template <class Raw, int F, policy P>
   return {cos_of_turns(angle), sin_of_turns(angle)};
 }
 
-/// \cond
+/// @cond
 FIXED_REFUSED_PLAIN(tan)
 FIXED_REFUSED_PLAIN(sin_of_degrees)
 FIXED_REFUSED_PLAIN(cos_of_degrees)
@@ -181,7 +181,7 @@ FIXED_REFUSED_PLAIN(tan_of_turns)
 FIXED_REFUSED_PLAIN(sin_cos)
 FIXED_REFUSED_PLAIN(sin_cos_of_degrees)
 FIXED_REFUSED_PLAIN(sin_cos_of_turns)
-/// \endcond
+/// @endcond
 
 }  // namespace FIXED_FUNCTIONS
 }  // namespace fixproof

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The version of this library, stated only here; CMake reads it from this file.
 ///
 /// Semantic versioning; the bits of every result are part of the interface (docs/import.md).

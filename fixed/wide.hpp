@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Exact intermediate results: a * b / c, the ratio of two integers, and sums of products.
 #pragma once
 
@@ -126,8 +126,8 @@ class accumulator {
   wide sum_{0};
 };
 
-/// \cond
+/// @cond
 FIXED_REFUSED_MIX(mul_div)
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof

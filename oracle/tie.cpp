@@ -8,7 +8,7 @@ namespace {
 
 Integer two_to(std::size_t exponent) { return Integer(1) << exponent; }
 
-/// Whether root^exponent = power. \pre root and power are odd and positive
+/// Whether root^exponent = power. @pre root and power are odd and positive
 bool is_power(const Integer& root, const Integer& exponent, const Integer& power) {
   if (root == 1 || exponent == 0) return power == 1;
   Integer product = 1;
@@ -23,7 +23,7 @@ bool is_power(const Integer& root, const Integer& exponent, const Integer& power
 /// equation is odd^p = twice^q for the odd factors, and p (n - F) = -q (F + 1) for the exponents.
 /// As p and q have no common factor, the first holds only if `odd` is the q-th power of an integer
 /// whose p-th power is `twice`.
-/// \pre x > 0; `twice` is odd and positive
+/// @pre x > 0; `twice` is odd and positive
 bool is_power_of_reals(const Integer& x, const Integer& y, const Integer& twice,
                        unsigned fraction_bits) {
   if (y == 0) return false;

@@ -16,7 +16,7 @@ namespace {
 
 std::string_view on_off(bool on) { return on ? "on" : "off"; }
 
-/// The options that select a routine of FIXED.ASM. \param rounding the option for its rounding
+/// The options that select a routine of FIXED.ASM. @param rounding the option for its rounding
 std::string routine_options(const cases::Variant& v, std::string_view rounding) {
   std::string options = fmt::format(" --target {}", cases::name_of(v.build.target));
   if (!rounding.empty()) options += fmt::format(" {} {}", rounding, on_off(cases::rounds(v)));

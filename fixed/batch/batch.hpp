@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Number operations over whole spans, vectorised and bit-identical to the scalar operations.
 ///
 /// Not part of fixed/fixed.hpp, and not for -ffreestanding.
@@ -159,12 +159,12 @@ template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
   }
 }
 
-/// \cond
+/// @cond
 FIXED_REFUSED_RANGES(report, multiply, "options")
 FIXED_REFUSED_RANGES(report, mul_add, "options")
 FIXED_REFUSED_RANGES(report, divide, "options")
 FIXED_REFUSED_RANGES(report, sqrt, "options")
 FIXED_REFUSED_RANGES(detail::element_t<X>, dot, "a path")
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof::batch

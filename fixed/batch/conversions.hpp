@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Conversions of many numbers from and to float and double, bit-identical to the conversions of
 /// one number. Not part of fixed/fixed.hpp.
 ///
@@ -72,11 +72,11 @@ FIXED_ALWAYS_INLINE void to_floats(const X& x, Out&& out, path use = best()) noe
       detail::start_of(out), detail::start_of(x));
 }
 
-/// \cond
+/// @cond
 FIXED_REFUSED_BATCH(report, from_floats,
                     "from_floats reads floats or doubles and writes numbers; options may follow")
 FIXED_REFUSED_BATCH(void, to_floats,
                     "to_floats reads numbers and writes floats or doubles; a path may follow")
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof::batch

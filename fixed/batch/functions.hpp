@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Elementary functions of many numbers, bit-identical to the scalar functions and several times as
 /// fast with AVX2 or AVX-512. NEON registers compute them, too. Not part of fixed/batch/batch.hpp.
 ///
@@ -230,7 +230,7 @@ void pow(const A& x, const B& y, Out&& out,
   detail::each_of<detail::of_pow>(use, out, x, y);
 }
 
-/// \cond
+/// @cond
 FIXED_REFUSED_RANGES(void, exp2, "a path")
 FIXED_REFUSED_RANGES(void, exp, "a path")
 FIXED_REFUSED_RANGES(void, expm1, "a path")
@@ -257,6 +257,6 @@ FIXED_REFUSED_RANGES(void, reciprocal, "a path")
 FIXED_REFUSED_RANGES(void, atan2, "a path")
 FIXED_REFUSED_RANGES(void, hypot, "a path")
 FIXED_REFUSED_RANGES(void, pow, "a path")
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof::batch

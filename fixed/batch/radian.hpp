@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Sines and cosines of many angles in radians, bit-identical to fixed/trig.hpp and several times
 /// as fast with AVX2 or AVX-512. NEON registers compute them, too. Not part of fixed/fixed.hpp.
 ///
@@ -93,10 +93,10 @@ void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = 
   }
 }
 
-/// \cond
+/// @cond
 FIXED_REFUSED_RANGES(void, sin, "a path")
 FIXED_REFUSED_RANGES(void, cos, "a path")
 FIXED_REFUSED_RANGES(void, sin_cos, "a path")
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof::batch

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Transforms and projections of vertices: a part of fixed/batch/batch.hpp, which documents them.
 #pragma once
 
@@ -17,7 +17,7 @@
 namespace fixproof::detail {
 
 /// Computes vertices or points one by one.
-/// \param element (index) -> outcome
+/// @param element (index) -> outcome
 template <class N, std::size_t size, class To, class Element>
 FIXED_ALWAYS_INLINE void each_tuple(std::size_t i, std::size_t count, fault_recorder& found,
                                     const To& to, const Element& element) noexcept {
@@ -29,7 +29,7 @@ FIXED_ALWAYS_INLINE void each_tuple(std::size_t i, std::size_t count, fault_reco
 }
 
 /// Transforms vertices in one array, a pointer, or in three, an array of pointers.
-/// \tparam Transform rounded_products or rounded_sums
+/// @tparam Transform rounded_products or rounded_sums
 template <template <class> class Transform, class N, class From, class To>
 FIXED_ALWAYS_INLINE batch::report transform_all(
     const transform_rows<N>& rows, const From& from, const To& to, std::size_t count,
@@ -161,7 +161,7 @@ project(const X& x, const Y& y, const Z& z, N constant, ToX&& to_x, ToY&& to_y,
                              detail::batch_length(how, x, y, z, to_x, to_y), how);
 }
 
-/// \cond
+/// @cond
 template <detail::sized Rows, detail::sized X, class... T>
 report transform(const Rows&, const X&, const T&...) FIXED_INSTEAD(FIXED_TRANSFORM_TAKES);
 template <detail::sized Rows, detail::sized X, class... T>
@@ -169,6 +169,6 @@ report fused_transform(const Rows&, const X&, const T&...) FIXED_INSTEAD(FIXED_T
 FIXED_REFUSED_BATCH(report, project,
                     "a vertex has 3 numbers N, a point has 2, and the constant is an N; points "
                     "come last, neither const nor temporary; options may follow")
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof::batch

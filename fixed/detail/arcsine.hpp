@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Arcsines and arccosines of words of at most 32 bits, each the nearest integer of ulps.
 ///
 /// Both are angles of the vector (cosine, sine), of which one is the operand and the other a square
@@ -20,7 +20,7 @@
 namespace fixproof::detail {
 
 /// The root of n * 4^doublings, a number from 2^62 to 2^64, in units of 2^-31. The error is below 2
-/// units. \pre n > 0
+/// units. @pre n > 0
 ///
 /// The integer r nearest to the root leaves a rest |n - r^2| <= r. The next term, rest / (2r), is
 /// rounded to a unit; the one after it is below an eighth of a unit.
@@ -39,7 +39,7 @@ constexpr scaled_root root_of(std::uint64_t n) noexcept {
           doublings};
 }
 
-/// sqrt(n) in units of 2^-shift, off by less than 1.01 units. \pre 0 < n < 4^(32 - shift), shift >=
+/// sqrt(n) in units of 2^-shift, off by less than 1.01 units. @pre 0 < n < 4^(32 - shift), shift >=
 /// 16
 constexpr std::uint64_t quick_root(std::uint64_t n, int shift) noexcept {
   if constexpr (hardware_double) {
@@ -54,14 +54,14 @@ constexpr std::uint64_t quick_root(std::uint64_t n, int shift) noexcept {
 }
 
 /// sqrt(4^fraction_bits - sine^2), the other side of a triangle, in units of 2^-184 of its
-/// hypotenuse. \param squares 4^fraction_bits - sine^2
+/// hypotenuse. @param squares 4^fraction_bits - sine^2
 constexpr real precise_side(std::uint64_t squares, int fraction_bits) noexcept {
   return nearest_sqrt_by_pairs<real_bits>(real{squares} << (2 * (real_bits - fraction_bits)));
 }
 
 /// The angle of a triangle with the side `known` / 2^fraction_bits and the hypotenuse 1, from 0 to
 /// pi, to nearest.
-/// \param squares 4^fraction_bits - known^2 \param is_left whether the known side is negative
+/// @param squares 4^fraction_bits - known^2 @param is_left whether the known side is negative
 template <triangle_side Side>
 constexpr std::int64_t careful_triangle_angle(std::uint64_t known, std::uint64_t squares,
                                               bool is_left, int fraction_bits) noexcept {
@@ -89,7 +89,7 @@ constexpr std::int64_t careful_triangle_angle(std::uint64_t known, std::uint64_t
 }
 
 /// The arcsine or arccosine of raw / 2^fraction_bits in units of 2^-fraction_bits.
-/// \pre |raw| <= 2^fraction_bits <= 2^32
+/// @pre |raw| <= 2^fraction_bits <= 2^32
 template <triangle_side Side>
 constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bits) noexcept {
   constexpr bool is_sine = Side == triangle_side::sine;

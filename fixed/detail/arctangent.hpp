@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The angle of a vector of words of at most 32 bits, to the nearest integer of ulps.
 ///
 /// The code first computes an angle in 64 bits, with a bound of its error. If the bound allows two
@@ -125,7 +125,7 @@ constexpr std::int64_t careful_angle(const octant<std::uint64_t>& part,
 }
 
 /// The angle of the vector (x, y) in units of 2^-fraction_bits, from -pi to pi, rounded to nearest;
-/// 0 for the vector 0. \pre |x|, |y| <= 2^32
+/// 0 for the vector 0. @pre |x|, |y| <= 2^32
 constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fraction_bits) noexcept {
   if (y == 0 && x >= 0) return 0;
   const auto part = octant_of(static_cast<std::uint64_t>(chosen(y < 0, -y, y)),

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// std::bit_cast, which some standard libraries of C++20 lack (libc++ before 14, so also the one of
 /// Debian's Emscripten). Every supported compiler has the builtin.
 #pragma once

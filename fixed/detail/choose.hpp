@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Choices without a branch. Operands of all signs and sizes make branches hard to predict, and a
 /// wrong prediction takes as long as a function.
 #pragma once

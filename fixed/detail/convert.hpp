@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Converts floats and doubles to stored integers of at most 32 bits, with integers, in code that
 /// compilers vectorise. Bit-identical to detail::scale() and detail::narrow().
 ///

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// A cosine with an error below 2^-56, in integers.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Sines and cosines of whole steps, computed at compile time in integers.
 #pragma once
 

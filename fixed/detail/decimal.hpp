@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The exact decimal text of stored integers.
 #pragma once
 
@@ -21,8 +21,8 @@ inline constexpr std::size_t max_decimal_chars =
     1 + decimal_digits(larger(bits_of<Raw> - FractionBits, 0)) + 1 + 1 + FractionBits;
 
 /// Writes the exact value in its shortest form: "-0.5", "3", "0.0000152587890625".
-/// \param out a buffer of max_decimal_chars
-/// \return the end of the text
+/// @param out a buffer of max_decimal_chars
+/// @return the end of the text
 template <int FractionBits, class Raw>
 constexpr char* write_decimal(char* out, Raw raw) noexcept {
   using word =

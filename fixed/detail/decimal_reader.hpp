@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Reads decimal text of any length and exponent with one rounding.
 #pragma once
 
@@ -27,10 +27,10 @@ namespace fixproof::detail {
 template <class Raw, int FractionBits>
 class decimal_reader {
  public:
-  /// \param point the decimal point of the text
+  /// @param point the decimal point of the text
   explicit constexpr decimal_reader(char point = '.') noexcept : point_(point) {}
 
-  /// Consumes the next character if it can continue the text. \pre fewer than 10^17 characters
+  /// Consumes the next character if it can continue the text. @pre fewer than 10^17 characters
   constexpr bool take(char c) noexcept {
     if (!is_digit(c)) return take_mark(c);
     if (state_ <= state::whole) {
@@ -59,14 +59,14 @@ class decimal_reader {
   }
 
   /// How many of the characters consumed follow the longest number at their beginning: 1 for "1e",
-  /// 2 for "1e+". \pre they begin with a number
+  /// 2 for "1e+". @pre they begin with a number
   [[nodiscard]] constexpr int excess() const noexcept {
     if (complete()) return 0;
     return state_ == state::exponent_sign ? 2 : 1;
   }
 
   /// That number rounded by rule R, or nothing if the rounded value is out of range.
-  /// \pre the characters consumed begin with a number
+  /// @pre the characters consumed begin with a number
   template <rounding R>
   [[nodiscard]] constexpr std::optional<Raw> value() const noexcept {
     if (count_ == 0) return Raw{0};
@@ -171,9 +171,9 @@ class decimal_reader {
 };
 
 /// Reads the longest number at the beginning of a text, rounded by rule R.
-/// \pre the text begins with a number
-/// \param value what decimal_reader::value() returns
-/// \return the end of the number
+/// @pre the text begins with a number
+/// @param value what decimal_reader::value() returns
+/// @return the end of the number
 template <rounding R, int FractionBits, class Raw>
 FIXED_NOINLINE constexpr const char* read_any(const char* first, const char* last,
                                               std::optional<Raw>& value) noexcept {
@@ -185,7 +185,7 @@ FIXED_NOINLINE constexpr const char* read_any(const char* first, const char* las
 }
 
 /// Reads the longest number at the beginning of a text. Tries read_words() first, which is faster.
-/// \return the end of the number, or `first` if the text begins with no number
+/// @return the end of the number, or `first` if the text begins with no number
 template <rounding R, int FractionBits, class Raw>
 constexpr const char* read_decimal(const char* first, const char* last,
                                    std::optional<Raw>& value) noexcept {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Reads decimal text of usual length in words of 64 bits. decimal_reader reads all other text.
 #pragma once
 
@@ -33,7 +33,7 @@ inline constexpr auto powers_of_ten = [] {
   return powers;
 }();
 
-/// 10^i. \pre 0 <= i < 20
+/// 10^i. @pre 0 <= i < 20
 constexpr std::uint64_t power_of_ten(std::int64_t i) noexcept {
   return powers_of_ten[static_cast<std::size_t>(i)];
 }
@@ -57,7 +57,7 @@ constexpr bool are_digits(std::uint64_t eight) noexcept {
 }
 
 /// Appends the digits at the beginning of a text to `value`, modulo 2^64.
-/// \return the end of the digits
+/// @return the end of the digits
 constexpr const char* read_digits(const char* at, const char* last, std::uint64_t& value) noexcept {
   // A copy, because clang++ keeps `value` in memory.
   std::uint64_t read = value;
@@ -79,7 +79,7 @@ constexpr const char* read_long(const char* at, const char* last, std::uint64_t&
   return read_digits(at, last, value);
 }
 
-/// Skips digits. \return whether one of them is not zero
+/// Skips digits. @return whether one of them is not zero
 constexpr bool skip_digits(const char*& at, const char* last) noexcept {
   std::uint64_t all = 0;
   for (; last - at >= 8; at += 8) {
@@ -92,8 +92,8 @@ constexpr bool skip_digits(const char*& at, const char* last) noexcept {
 }
 
 /// A magnitude rounded by rule R, or nothing if it is out of range.
-/// \param rest what the magnitude leaves, in units of 1 / one
-/// \param more whether the number is further from zero, by less than a unit
+/// @param rest what the magnitude leaves, in units of 1 / one
+/// @param more whether the number is further from zero, by less than a unit
 template <rounding R, class Raw, class Wide>
 constexpr std::optional<Raw> rounded_text(Wide magnitude, std::uint64_t rest, std::uint64_t one,
                                           bool more, bool negative) noexcept {
@@ -112,8 +112,8 @@ struct decimal_words {
 };
 
 /// Rounds by rule R.
-/// \param value empty before; the number, or nothing if it is out of range
-/// \return whether the digits decide the rounding. From 60 fraction bits on, they rarely do.
+/// @param value empty before; the number, or nothing if it is out of range
+/// @return whether the digits decide the rounding. From 60 fraction bits on, they rarely do.
 template <rounding R, int FractionBits, class Raw>
 constexpr bool round_words(const decimal_words& text, bool negative,
                            std::optional<Raw>& value) noexcept {
@@ -140,10 +140,10 @@ constexpr bool round_words(const decimal_words& text, bool negative,
 }
 
 /// Reads an exponent and rounds the number by rule R.
-/// \param mark   the mark of the exponent; it ends the number if no digit follows
-/// \param all    the digits of the number, at most 18, as an integer
-/// \param places the digits after the point
-/// \return the end, or nullptr if words do not suffice
+/// @param mark   the mark of the exponent; it ends the number if no digit follows
+/// @param all    the digits of the number, at most 18, as an integer
+/// @param places the digits after the point
+/// @return the end, or nullptr if words do not suffice
 template <rounding R, int FractionBits, class Raw>
 constexpr const char* read_exponent(const char* mark, const char* last, bool negative,
                                     std::uint64_t all, std::int64_t places,
@@ -175,8 +175,8 @@ constexpr const char* read_exponent(const char* mark, const char* last, bool neg
 }
 
 /// Reads the longest number at the beginning of a text, rounded by rule R.
-/// \param value empty before; the number, or nothing if it is out of range
-/// \return the end of the number, `first` if there is none, or nullptr if words do not suffice
+/// @param value empty before; the number, or nothing if it is out of range
+/// @return the end of the number, `first` if there is none, or nullptr if words do not suffice
 template <rounding R, int FractionBits, class Raw>
 FIXED_ALWAYS_INLINE constexpr const char* read_words(const char* first, const char* last,
                                                      std::optional<Raw>& value) noexcept {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Angles of vectors and triangles, computed in digits for words of at most 32 bits. Each is the
 /// nearest integer of ulps, as in arctangent.hpp and arcsine.hpp, without a first try in words.
 #pragma once
@@ -13,7 +13,7 @@
 namespace fixproof::detail::in_digits {
 
 /// The angle of (width, height), or of (-width, height), from 0 to pi. Overwrites both.
-/// \pre neither is negative, and at least one is not 0
+/// @pre neither is negative, and at least one is not 0
 constexpr std::int64_t angle_ulps(real& height, real& width, bool is_left,
                                   int fraction_bits) noexcept {
   real difference = width;
@@ -37,7 +37,7 @@ constexpr std::int64_t angle_ulps(real& height, real& width, bool is_left,
   return nearest_units(height, fraction_bits);
 }
 
-/// The angle of the vector (x, y), from -pi to pi; 0 for the vector 0. \pre |x|, |y| <= 2^32
+/// The angle of the vector (x, y), from -pi to pi; 0 for the vector 0. @pre |x|, |y| <= 2^32
 constexpr std::int64_t vector_angle_ulps(std::int64_t y, std::int64_t x,
                                          int fraction_bits) noexcept {
   if (y == 0 && x >= 0) return 0;
@@ -75,7 +75,7 @@ constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fractio
 }
 
 /// The arcsine or arccosine of raw / 2^fraction_bits.
-/// \pre |raw| <= 2^fraction_bits <= 2^32
+/// @pre |raw| <= 2^fraction_bits <= 2^32
 template <triangle_side Side>
 constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated()) {

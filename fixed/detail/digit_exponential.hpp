@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Exponentials, logarithms and hyperbolic functions, computed in digits for words of at most 32
 /// bits. Each is the nearest integer of ulps.
 ///
@@ -42,7 +42,7 @@ constexpr std::int64_t exponential_ulps(std::int64_t x, int fraction_bits, expon
   }
 }
 
-/// log2(raw / 2^fraction_bits). \pre 0 < raw < 2^33
+/// log2(raw / 2^fraction_bits). @pre 0 < raw < 2^33
 constexpr real logarithm_of(std::uint64_t raw, int fraction_bits, int lowest) noexcept {
   int exponent = 32 - fraction_bits;
   for (; raw >> 32 == 0; raw <<= 1) --exponent;

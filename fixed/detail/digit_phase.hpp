@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Sines, cosines and tangents, computed in digits for angles in words of at most 32 bits. Each is
 /// the nearest integer of ulps, as in phase.hpp, without a first try in words.
 #pragma once

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Powers and roots, computed in digits for words of at most 32 bits. Each is the nearest integer
 /// of ulps, as in power.hpp, without a first try in words.
 #pragma once
@@ -15,7 +15,7 @@ namespace fixproof::detail::in_digits {
 /// The highest r below 2^35 for which o^3, or o^2 raw, is at most `bound`, where o = 2r - 1; 0 if
 /// there is none. The root is then nearest to r, or a tie that goes up.
 ///
-/// o counts units of 2^-36, so that every product is exact. \param bound in units of 2^-108
+/// o counts units of 2^-36, so that every product is exact. @param bound in units of 2^-108
 constexpr std::int64_t nearest_root(std::uint64_t raw, const real& bound, bool is_cube) noexcept {
   constexpr int lowest = (real_bits - 108) / digit_bits;
   std::int64_t root = 0;
@@ -51,7 +51,7 @@ constexpr std::int64_t reciprocal_root_ulps(std::uint64_t raw, int fraction_bits
 ///
 /// Let x be m 2^e with an odd m, and y be n / 2^k with an odd n. A power in whole half ulps needs k
 /// whole square roots of m, an e that 2^k divides and, unless m is 1, n > 0. The power is then m^n
-/// times a power of two, and m^n is odd. \pre 0 < raw < 2^32, exponent != 0
+/// times a power of two, and m^n is odd. @pre 0 < raw < 2^32, exponent != 0
 constexpr std::int64_t odd_half_ulps(std::uint64_t raw, std::int64_t exponent,
                                      int fraction_bits) noexcept {
   auto m = static_cast<std::uint32_t>(raw);

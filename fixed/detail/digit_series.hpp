@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Powers of two, logarithms, arctangents, sines and square roots in digits.
 ///
 /// They take the steps of precise_power(), precise_logarithm(), precise_arctangent(),
@@ -17,7 +17,7 @@
 
 namespace fixproof::detail::in_digits {
 
-/// integer * 2^places units of 2^-184, from digit `lowest` on. \pre those below it are 0
+/// integer * 2^places units of 2^-184, from digit `lowest` on. @pre those below it are 0
 constexpr real scaled_integer(std::int64_t integer, int places, int lowest = 0) noexcept {
   real x(integer);
   x.shift(places);
@@ -51,7 +51,7 @@ inline constexpr std::int64_t undecided = std::numeric_limits<std::int64_t>::min
 
 /// The integer nearest to x * 2^fraction_bits, like nearest_units() of real.hpp, but at most 2^35,
 /// which is beyond every format; `undecided` if x is short and too near to a tie. Overwrites x.
-/// \pre x is not short, or its error is at most 2^-21 of a unit of the result
+/// @pre x is not short, or its error is at most 2^-21 of a unit of the result
 constexpr std::int64_t nearest_units(real& x, int fraction_bits) noexcept {
   constexpr std::int64_t beyond = std::int64_t{1} << 35;
   constexpr int more_bits = 21;

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Numbers with 184 bits after the point in digits of 16 bits, for programs that must be small.
 ///
 /// The arithmetic is that of real.hpp to the bit. Every function shares its loops over one array,
@@ -61,7 +61,7 @@ class real {
 
   [[nodiscard]] constexpr int lowest() const noexcept { return lowest_; }
 
-  /// Makes digit `lowest` the lowest in use. \pre those below it are 0
+  /// Makes digit `lowest` the lowest in use. @pre those below it are 0
   constexpr void use_from(int lowest) noexcept { lowest_ = lowest; }
 
   /// The units of 2^-184 modulo 2^64.
@@ -96,7 +96,7 @@ class real {
     negate();
   }
 
-  /// Multiplies by 2^places and rounds toward -infinity. \pre -224 < places < 224
+  /// Multiplies by 2^places and rounds toward -infinity. @pre -224 < places < 224
   constexpr void shift(int places) noexcept {
     const real old = *this;
     const int whole = places >= 0 ? places / digit_bits : -((digit_bits - 1 - places) / digit_bits);
@@ -107,7 +107,7 @@ class real {
     }
   }
 
-  /// The product, rounded down. \pre 0 <= b < 2^32
+  /// The product, rounded down. @pre 0 <= b < 2^32
   constexpr void operator*=(const real& b) noexcept {
     // 2^8 b counts units of 2^-192, and 192 bits are whole digits.
     constexpr int whole = 192 / digit_bits;
@@ -128,7 +128,7 @@ class real {
     for (int i = lowest_; i < real_digits; ++i) digits_[index(i)] = sum[index(i + whole)];
   }
 
-  /// The quotient, rounded down. \pre *this >= 0, n > 0
+  /// The quotient, rounded down. @pre *this >= 0, n > 0
   constexpr void operator/=(digit n) noexcept {
     two_digits rest = 0;
     for (int i = real_digits; i-- > lowest_;) {
@@ -138,7 +138,7 @@ class real {
     }
   }
 
-  /// The quotient, rounded down. \pre *this >= 0, 0 < b < 2^38, the quotient is below 2^39
+  /// The quotient, rounded down. @pre *this >= 0, 0 < b < 2^38, the quotient is below 2^39
   constexpr void operator/=(const real& b) noexcept {
     // One bit at a time. Those of the quotient take the places of those of the dividend.
     real minus = b;

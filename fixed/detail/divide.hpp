@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Division under a policy: the quotient and the error conditions.
 #pragma once
 
@@ -72,7 +72,7 @@ inline constexpr bool has_fast_quotient =
 template <class Raw, int FractionBits, policy P>
 using quotient_t = signed_t<larger(64, signed_bits<Raw> + numerator_shift<FractionBits, P> + 1)>;
 
-/// The rounded quotient. \param divisor the effective one, not zero
+/// The rounded quotient. @param divisor the effective one, not zero
 template <class Raw, int FractionBits, policy P>
 FIXED_ALWAYS_INLINE constexpr quotient_t<Raw, FractionBits, P> quotient_of(
     Raw n, divisor_t<Raw> divisor) noexcept {
@@ -142,8 +142,8 @@ constexpr bool exceeds_unsigned(Raw n, divisor_t<Raw> divisor) noexcept {
 }
 
 /// The outcome of a division under the policy.
-/// \param divisor  the effective one, not zero
-/// \param quotient rounded, before wrapping or saturation
+/// @param divisor  the effective one, not zero
+/// @param quotient rounded, before wrapping or saturation
 template <class Raw, int FractionBits, policy P>
 constexpr division ending_of(Raw n, divisor_t<Raw> divisor,
                              const quotient_t<Raw, FractionBits, P>& quotient) noexcept {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Functions of numbers that fixed/fixed.hpp does not have, and where they are or what to write
 /// instead. Any other function that takes these operands is a better match, because it has no pack:
 /// that of the other header, or one of the user's.
@@ -10,7 +10,7 @@
 
 namespace fixproof {
 
-/// \cond
+/// @cond
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): declare functions
 #define FIXED_REFUSED_NUMBER(name, text)              \
   template <class N, class... T>                      \
@@ -56,6 +56,6 @@ FIXED_REFUSED_NUMBER(atanh, "no atanh: write (log1p(x) - log1p(-x)) / 2")
 FIXED_REFUSED_NUMBER(exp10, "no exp10: write pow(q16_16(10), x)")
 #undef FIXED_ELSEWHERE
 #undef FIXED_REFUSED_NUMBER
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Results of operations on stored integers before they are narrowed to the range.
 #pragma once
 

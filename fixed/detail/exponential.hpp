@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Exponentials and logarithms of words of at most 32 bits, each the nearest integer of ulps.
 ///
 /// The code first computes a result in 64 bits, with a bound of its error. If the bound allows two
@@ -77,7 +77,7 @@ constexpr std::int64_t nearest_precise_power(const real& exponent, int fraction_
 }
 
 /// The ends of 2^exponent in units of 2^-fraction_bits; any integers from 2^33 on for a result that
-/// is not below 2^34 units. \param error of the exponent, in units of 2^-64, below 2^54
+/// is not below 2^34 units. @param error of the exponent, in units of 2^-64, below 2^54
 template <std::size_t Terms>
 constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_t error,
                                     int fraction_bits) noexcept {
@@ -178,7 +178,7 @@ struct scaled_word {
   int exponent;
 };
 
-/// raw / 2^fraction_bits. \pre 0 < raw < 2^33
+/// raw / 2^fraction_bits. @pre 0 < raw < 2^33
 ///
 /// A double has both parts. The instruction bsr, which counts zeros on x86-64, waits for the last
 /// value of its destination register: in some programs each logarithm waited for the previous one.
@@ -232,7 +232,7 @@ constexpr std::int64_t careful_logarithm(const scaled_word& x, int fraction_bits
 
 /// The logarithm of raw / 2^fraction_bits in units of 2^-fraction_bits, rounded to nearest. There
 /// are no ties: a logarithm of a rational number is whole or irrational in these bases.
-/// \pre 0 < raw < 2^33
+/// @pre 0 < raw < 2^33
 template <logarithm_base Base>
 constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int fraction_bits) noexcept {
   const scaled_word x = scaled(raw, fraction_bits);

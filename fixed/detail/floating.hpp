@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Decodes and encodes binary floating point with integers, so that compiler flags, the rounding
 /// mode and flushed denormals have no effect.
 #pragma once
@@ -32,7 +32,7 @@ struct scaled_float {
   Wide integer;
 };
 
-/// x * 2^scale rounded by rule R, for 0 <= scale <= 64. \tparam Wide signed, of 64 bits or more
+/// x * 2^scale rounded by rule R, for 0 <= scale <= 64. @tparam Wide signed, of 64 bits or more
 template <rounding R, class Wide, binary_float Float>
 constexpr scaled_float<Wide> scale(Float x, int scale) noexcept {
   using kind = typename scaled_float<Wide>::kind;

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// What distinguishes functions that share their code.
 #pragma once
 

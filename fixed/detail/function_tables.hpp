@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The tables and constants of the functions. tests/tools/function-tables writes this file.
 #pragma once
 

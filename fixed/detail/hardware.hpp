@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Whether this translation unit may use hardware doubles for exact integer work, and whether it
 /// divides in them.
 #pragma once

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Hyperbolic functions of words of at most 32 bits, each the nearest integer of ulps.
 ///
 /// As in exponential.hpp, the code first computes in 64 bits, with a bound of the error. More bits
@@ -41,7 +41,7 @@ constexpr std::int64_t falling_exponential(std::int64_t x) noexcept {
                                    chosen(shift < 64, shift - 1, std::int64_t{63}));
 }
 
-/// The ends of sinh or cosh of x / 2^32 in units of 2^-fraction_bits. \param up the exponent of e^x
+/// The ends of sinh or cosh of x / 2^32 in units of 2^-fraction_bits. @param up the exponent of e^x
 template <hyperbola Function, std::size_t Terms>
 constexpr nearest_ends hyperbolic_within(std::int64_t x, const binary_exponent& up,
                                          int fraction_bits) noexcept {
@@ -57,7 +57,7 @@ constexpr nearest_ends hyperbolic_within(std::int64_t x, const binary_exponent& 
 }
 
 /// sinh or cosh of x / 2^32 in units of 2^-fraction_bits; 2^35 for every result that is not below
-/// 2^33 units. \pre 0 <= x <= 2^38
+/// 2^33 units. @pre 0 <= x <= 2^38
 template <hyperbola Function>
 constexpr std::int64_t nearest_hyperbolic(std::int64_t x, int fraction_bits) noexcept {
   const binary_exponent up = exponent_of<exponential_base::e>(x);
@@ -77,7 +77,7 @@ constexpr std::int64_t nearest_hyperbolic(std::int64_t x, int fraction_bits) noe
   return nearest_units(twice >> 1, fraction_bits);
 }
 
-/// tanh of x / 2^32 in units of 2^-fraction_bits. \pre 0 <= x <= 2^38
+/// tanh of x / 2^32 in units of 2^-fraction_bits. @pre 0 <= x <= 2^38
 ///
 /// It is (1 - t) / (1 + t) for t = e^(-2x).
 constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_bits) noexcept {

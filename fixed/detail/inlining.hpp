@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Attributes that say what compilers inline. A batch of few numbers takes about as long as its
 /// calls, and compilers do not know which loops run often. Without optimisation, an operator takes
 /// about as long as the calls of its helpers.

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// How a declaration that must not be used says what to write instead.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Arithmetic with the integers that mix with numbers.
 #pragma once
 
@@ -46,7 +46,7 @@ constexpr auto units(Int value) noexcept {
   return reduced<units_t<Raw, FractionBits>, Raw, O, 34>(value) << FractionBits;
 }
 
-/// raw / d rounded by rule R. \pre d is not zero
+/// raw / d rounded by rule R. @pre d is not zero
 template <rounding R, class Raw, integer Int>
 constexpr auto divide_by_integer(Raw raw, Int d) noexcept {
   if constexpr (bits_of<Raw> == 64) {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Makes the integers of fixed/detail results of functions, with limits and errors.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Rounds a result whose error has a bound.
 #pragma once
 
@@ -19,7 +19,7 @@ struct nearest_ends {
   [[nodiscard]] constexpr bool agree() const noexcept { return low == high; }
 };
 
-/// The ends of value +- error in units of 2^-bits. \pre bits > 0
+/// The ends of value +- error in units of 2^-bits. @pre bits > 0
 template <class Int>
 constexpr nearest_ends nearest_within(Int value, Int error, int bits) noexcept {
   const auto nearest = [bits](Int end) {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The text of a number in every notation; formatters and streams share it.
 #pragma once
 
@@ -133,7 +133,7 @@ class number_text {
     set_exponent(style.type, exponent, 2);
   }
 
-  /// \pre |exponent| < 100
+  /// @pre |exponent| < 100
   constexpr void set_exponent(char mark, int exponent, int digits) noexcept {
     const int magnitude = exponent < 0 ? -exponent : exponent;
     const auto add = [this](char c) { tail_[tail_size_++] = c; };
@@ -144,7 +144,7 @@ class number_text {
   }
 
   /// Removes the digits from `at` on and rounds those before it to nearest, ties to even.
-  /// \pre first_ < at < end_
+  /// @pre first_ < at < end_
   constexpr void round_at(std::size_t at) noexcept {
     bool above_half = false;
     for (std::size_t i = at + 1; i < end_; ++i) above_half = above_half || digits_[i] != '0';
@@ -188,7 +188,7 @@ class number_text {
     set_exponent(upper ? 'P' : 'p', magnitude == 0 ? 0 : top - fraction_bits, 1);
   }
 
-  /// \param type of a text_style; if it is upper-case, so are the digits from ten
+  /// @param type of a text_style; if it is upper-case, so are the digits from ten
   constexpr void add_digit(std::uint64_t digit, char type) noexcept {
     const char ten = type < 'a' ? 'A' : 'a';
     digits_[end_++] = static_cast<char>(digit < 10 ? '0' + static_cast<int>(digit)

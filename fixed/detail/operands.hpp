@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Operands that the functions of real numbers do not take, and what to write instead.
 #pragma once
 

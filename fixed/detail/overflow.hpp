@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Narrows an exact result to the range of the type; the only place that does.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace fixproof::detail {
 
-/// Whether a Raw can hold the value. \pre Wide is signed and holds every Raw
+/// Whether a Raw can hold the value. @pre Wide is signed and holds every Raw
 template <class Raw, class Wide>
 constexpr bool fits(Wide value) noexcept {
   return !(value < Wide{(std::numeric_limits<Raw>::min)()}) &&

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Sines, cosines and tangents of angles in words of at most 32 bits, in radians, degrees or turns,
 /// each the nearest integer of ulps.
 ///
@@ -169,7 +169,7 @@ constexpr tangent_ratio tangent_of_phase(std::uint64_t phase) noexcept {
 }
 
 /// Like nearest_tangent(), but without the quick try.
-/// \param a the numerator of the tangent of the phase \param b its divisor
+/// @param a the numerator of the tangent of the phase @param b its divisor
 template <angle_unit Unit>
 constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, bool is_negative,
                                        std::int64_t raw, int fraction_bits) noexcept {
@@ -197,7 +197,7 @@ constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, bool is
 }
 
 /// The tangent of an angle in units of 2^-fraction_bits; a result beyond 2^33 units may be any
-/// integer beyond that. \pre the angle is no pole
+/// integer beyond that. @pre the angle is no pole
 template <angle_unit Unit>
 constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
   const tangent_ratio tangent = tangent_of_phase(phase_of<Unit>(raw, fraction_bits));

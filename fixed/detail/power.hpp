@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Powers and roots of words of at most 32 bits, each the nearest integer of ulps.
 ///
 /// A root is first computed with an error below 1/4, and exact integers decide between the two
@@ -50,7 +50,7 @@ constexpr std::int64_t below_reciprocal_root(std::uint64_t raw, int fraction_bit
       nearest_sqrt_by_pairs<49>(truncated_ratio(numerator, int128{raw})));
 }
 
-/// 1 / sqrt(raw / 2^fraction_bits) in units of 2^-fraction_bits. \pre 0 < raw < 2^32
+/// 1 / sqrt(raw / 2^fraction_bits) in units of 2^-fraction_bits. @pre 0 < raw < 2^32
 ///
 /// Only a half is a tie, the root of a power of two; rule R decides.
 template <rounding R>
@@ -64,7 +64,7 @@ constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_b
 }
 
 /// The cube root of raw / 2^fraction_bits in units of 2^-fraction_bits, rounded down after an error
-/// below 1/4. \pre 0 < raw < 2^32
+/// below 1/4. @pre 0 < raw < 2^32
 ///
 /// With a reciprocal c of the leading six bits, m c is 1 + r as in binary_logarithm(). The root is
 /// that of 1, 2 or 4, times that of 1 / c, times the binomial series of (1 + r)^(1/3). Its terms
@@ -84,7 +84,7 @@ constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noe
 }
 
 /// The cube root of raw / 2^fraction_bits in units of 2^-fraction_bits. There are no ties: eight
-/// times a word is no odd cube. \pre raw < 2^32
+/// times a word is no odd cube. @pre raw < 2^32
 constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
   if (raw == 0) return 0;
   const std::int64_t low = below_cube_root(raw, fraction_bits);
@@ -93,7 +93,7 @@ constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) n
   return low + (middle * middle * middle < cube ? 1 : 0);
 }
 
-/// 1 / (raw / 2^FractionBits) in units of 2^-FractionBits, rounded by rule R. \pre raw is not 0
+/// 1 / (raw / 2^FractionBits) in units of 2^-FractionBits, rounded by rule R. @pre raw is not 0
 template <rounding R, int FractionBits, class Raw>
 constexpr auto nearest_reciprocal(Raw raw) noexcept {
   using wide = signed_t<2 * FractionBits + larger(bits_of<Raw> - FractionBits, 2) + 2>;
@@ -116,7 +116,7 @@ struct exact_power {
   std::int64_t ulps;
 };
 
-/// m^n, or 0 above 2^66, where an odd integer has more bits than a tie. \pre m > 1
+/// m^n, or 0 above 2^66, where an odd integer has more bits than a tie. @pre m > 1
 constexpr int128 short_power(std::uint64_t m, std::int64_t n) noexcept {
   int128 power{1};
   for (std::int64_t i = 0; i < n; ++i) {
@@ -131,7 +131,7 @@ constexpr int128 short_power(std::uint64_t m, std::int64_t n) noexcept {
 /// Let x be m 2^e with an odd m, and y be n / 2^k with an odd n. The power is rational only if k
 /// square roots of m are whole and 2^k divides e. Then it is a power of two, or for n > 0 an odd
 /// integer m^n times a power of two, or for n < 0 the reciprocal of such a number, which is no tie.
-/// \pre raw > 0, exponent != 0
+/// @pre raw > 0, exponent != 0
 template <rounding R>
 constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
                                      int fraction_bits) noexcept {
@@ -195,7 +195,7 @@ constexpr nearest_ends real_power_within(const scaled_word& x, std::int64_t expo
       fraction_bits);
 }
 
-/// Like nearest_real_power(), but without the quick try. \param x raw / 2^fraction_bits
+/// Like nearest_real_power(), but without the quick try. @param x raw / 2^fraction_bits
 template <rounding R>
 constexpr std::int64_t careful_real_power(std::uint64_t raw, const scaled_word& x,
                                           std::int64_t exponent, int fraction_bits) noexcept {
@@ -210,7 +210,7 @@ constexpr std::int64_t careful_real_power(std::uint64_t raw, const scaled_word& 
 }
 
 /// x^y for x = raw / 2^fraction_bits and y = exponent / 2^fraction_bits in units of
-/// 2^-fraction_bits, rounded to nearest, ties by rule R. \pre raw > 0
+/// 2^-fraction_bits, rounded to nearest, ties by rule R. @pre raw > 0
 template <rounding R>
 constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t exponent,
                                           int fraction_bits) noexcept {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Powers of two and binary logarithms with an error below 2^-170, for the few results that 64 bits
 /// cannot round.
 ///

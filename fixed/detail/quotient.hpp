@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The rounded quotient of two stored integers, exact, from integers or hardware doubles.
 #pragma once
 
@@ -31,7 +31,7 @@ FIXED_ALWAYS_INLINE constexpr std::int64_t one_if_negative(std::int32_t x) noexc
 ///
 /// half_away is floor((t + 1) / 2) for Q >= 0. For Q < 0 it is ceil((t - 1) / 2) = floor(t / 2).
 ///
-/// \pre divisor is not zero, Shift <= 30
+/// @pre divisor is not zero, Shift <= 30
 template <rounding R, int Shift>
 FIXED_ALWAYS_INLINE constexpr std::int64_t quotient_by_integers(std::int32_t numerator,
                                                                 std::int32_t divisor) noexcept {
@@ -102,7 +102,7 @@ inline std::int64_t floor_of_sum(double sum) noexcept {
 template <rounding R>
 inline constexpr bool rounds_by_floor = R == rounding::half_up || R == rounding::floor;
 
-/// numerator * 2^Shift / divisor rounded by rule R. \pre divisor is not zero, Shift <= 16
+/// numerator * 2^Shift / divisor rounded by rule R. @pre divisor is not zero, Shift <= 16
 template <rounding R, int Shift>
 constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
   // if constexpr: without hardware doubles even dead code must not contain a double.

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The number nearest to the sine or cosine of an angle in radians.
 ///
 /// There are no ties: by the Lindemann-Weierstrass theorem the sine and cosine of a nonzero

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Throws the errors of fixed/error.hpp with their text, "fixed-point overflow: operator*(200,
 /// 300)".
 ///
@@ -59,8 +59,8 @@ std::string describe(binary_float auto x) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
 
-/// \param what      "overflow", "divide error"
-/// \param operation as in the source: "operator+", "sqrt"
+/// @param what      "overflow", "divide error"
+/// @param operation as in the source: "operator+", "sqrt"
 template <class Error, class... Operands>
 [[noreturn]] void raise(std::string_view what, std::string_view operation, Operands... operands) {
   std::string text = "fixed-point ";

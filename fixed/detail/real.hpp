@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Numbers with 184 bits after the point, for results that 64 bits cannot round.
 #pragma once
 
@@ -18,10 +18,10 @@ constexpr real real_from(const real_words& words) noexcept {
   return (real{words[2]} << 128) + (real{words[1]} << 64) + real{words[0]};
 }
 
-/// a * b, rounded down. \pre |a * b| < 2^15
+/// a * b, rounded down. @pre |a * b| < 2^15
 constexpr real product(const real& a, const real& b) noexcept { return (a * b) >> real_bits; }
 
-/// x / n, rounded down. \pre x >= 0, n > 0
+/// x / n, rounded down. @pre x >= 0, n > 0
 constexpr real quotient(const real& x, std::uint32_t n) noexcept {
   real result;
   std::uint64_t rest = 0;
@@ -34,12 +34,12 @@ constexpr real quotient(const real& x, std::uint32_t n) noexcept {
   return result;
 }
 
-/// a / b, rounded down. \pre 0 <= a < 2^15, b > 0
+/// a / b, rounded down. @pre 0 <= a < 2^15, b > 0
 constexpr real ratio(const real& a, const real& b) noexcept {
   return real::divide(a << real_bits, b).quotient;
 }
 
-/// The integer nearest to x * 2^fraction_bits. \pre that is from -2^63 to 2^63 - 1, and x is so far
+/// The integer nearest to x * 2^fraction_bits. @pre that is from -2^63 to 2^63 - 1, and x is so far
 /// from a tie that its error does not matter
 constexpr std::int64_t nearest_units(const real& x, int fraction_bits) noexcept {
   return static_cast<std::int64_t>((x + (real_one >> (fraction_bits + 1))) >>

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Operators and functions that do not compile, and what to write instead.
 #pragma once
 
@@ -19,7 +19,7 @@ concept foreign = std::is_arithmetic_v<T> && !integer<T>;
 
 }  // namespace detail
 
-/// \cond
+/// @cond
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares operators
 #define FIXED_REFUSED_OPERATOR(op, formats)                                                   \
   template <class A, int FA, policy PA, class B, int FB, policy PB>                           \
@@ -66,6 +66,6 @@ number<Raw, F, P> operator/(Int, number<Raw, F, P>)
 FIXED_REFUSED_SHIFT(<<)
 FIXED_REFUSED_SHIFT(>>)
 #undef FIXED_REFUSED_SHIFT
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof

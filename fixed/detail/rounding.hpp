@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The integer arithmetic of the rounding rules; nothing else implements them.
 #pragma once
 
@@ -23,9 +23,9 @@ constexpr bool is_odd(const Int& x) noexcept {
 }
 
 /// The bias to add before a floor division by `unit`, so that the quotient is rounded by rule R.
-/// \param negative whether the value is below zero
-/// \param odd      whether the floor of value / unit is odd; only half_even uses it
-/// \param unit     even and positive, so that a half is a whole number of parts
+/// @param negative whether the value is below zero
+/// @param odd      whether the floor of value / unit is odd; only half_even uses it
+/// @param unit     even and positive, so that a half is a whole number of parts
 template <rounding R, class Int>
 FIXED_ALWAYS_INLINE constexpr Int bias(bool negative, bool odd, Int unit) noexcept {
   if constexpr (R == rounding::half_up) {
@@ -42,7 +42,7 @@ FIXED_ALWAYS_INLINE constexpr Int bias(bool negative, bool odd, Int unit) noexce
   }
 }
 
-/// value / 2^bits, rounded by rule R. \pre Int is signed, and value + 2^bits does not overflow
+/// value / 2^bits, rounded by rule R. @pre Int is signed, and value + 2^bits does not overflow
 template <rounding R, class Int>
 FIXED_ALWAYS_INLINE constexpr Int shift_right(Int value, int bits) noexcept {
   if (bits == 0) return value;
@@ -51,9 +51,9 @@ FIXED_ALWAYS_INLINE constexpr Int shift_right(Int value, int bits) noexcept {
 }
 
 /// Whether a result between two integers is rounded to the upper one.
-/// \param order    the distance to the lower one against the distance to the upper one
-/// \param exact    whether the distance to the lower one is zero
-/// \param odd      whether the lower one is odd
+/// @param order    the distance to the lower one against the distance to the upper one
+/// @param exact    whether the distance to the lower one is zero
+/// @param odd      whether the lower one is odd
 template <rounding R>
 constexpr bool rounds_up(std::strong_ordering order, bool exact, bool negative, bool odd) noexcept {
   if constexpr (R == rounding::half_up) {
@@ -76,7 +76,7 @@ constexpr Int floor_divide(Int numerator, Int divisor) noexcept {
   return numerator / divisor - Int{numerator % divisor < 0};
 }
 
-/// The quotient of magnitudes, rounded down. \pre numerator >= 0, divisor > 0, a bit to spare
+/// The quotient of magnitudes, rounded down. @pre numerator >= 0, divisor > 0, a bit to spare
 template <class Int>
 constexpr Int truncated_ratio(const Int& numerator, const Int& divisor) noexcept {
   if constexpr (is_built_in<Int>) {
@@ -86,7 +86,7 @@ constexpr Int truncated_ratio(const Int& numerator, const Int& divisor) noexcept
   }
 }
 
-/// numerator / divisor rounded by rule R. \pre the divisor is not zero; both have a bit to spare
+/// numerator / divisor rounded by rule R. @pre the divisor is not zero; both have a bit to spare
 template <rounding R, class Int>
 constexpr Int rounded_ratio(Int numerator, Int divisor) noexcept {
   const Int zero{0};
@@ -117,8 +117,8 @@ constexpr Int rounded_ratio(Int numerator, Int divisor) noexcept {
 }
 
 /// Whether the magnitude of a quotient grows by one, when rule R rounds it.
-/// \param rest the remainder of the magnitudes, below their divisor
-/// \param odd  whether the quotient of the magnitudes is odd; only half_even uses it
+/// @param rest the remainder of the magnitudes, below their divisor
+/// @param odd  whether the quotient of the magnitudes is odd; only half_even uses it
 template <rounding R, class Word>
 constexpr bool grows(Word rest, Word divisor, bool negative, bool odd) noexcept {
   const Word to_next = divisor - rest;
@@ -147,7 +147,7 @@ constexpr Word negated_if(bool negative, Word x) noexcept {
 ///
 /// It divides magnitudes. Random signs and remainders make branches hard to predict, and clang++
 /// branches between the objects of std::strong_ordering.
-/// \pre the divisor is not zero, and the result fits; a wider Int has a bit to spare
+/// @pre the divisor is not zero, and the result fits; a wider Int has a bit to spare
 template <rounding R, class Int>
 constexpr Int quick_ratio(Int numerator, Int divisor) noexcept {
   if constexpr (sizeof(Int) <= sizeof(std::uint64_t)) {

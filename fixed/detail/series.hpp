@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Polynomials by Horner's rule in fractions of 64 bits.
 #pragma once
 

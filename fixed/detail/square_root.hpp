@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The integer nearest to a square root.
 #pragma once
 
@@ -87,7 +87,7 @@ inline constexpr bool has_every_root = FractionBits <= std::numeric_limits<Raw>:
 /// 2^-29 in every rounding mode, and adding a half by as much again: 2^-28 together. Every root is
 /// more than 1 / (8 r + 4) > 2^-27 away from a half r + 1/2 (see nearest_sqrt()), so truncating the
 /// sum gives the nearest integer. Compilers vectorise this, unless sqrt sets errno.
-/// \pre raw >= 0
+/// @pre raw >= 0
 template <int FractionBits, class Raw>
 constexpr auto nearest_root(Raw raw) noexcept {
   if constexpr (has_fast_root<Raw, FractionBits>) {

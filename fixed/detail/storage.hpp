@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The integer types that store a number.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// What a stream's flags, precision and locale make of a number.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Throws an exception, or aborts if exceptions are disabled; the only place that does.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Whether functions compute in words or in digits.
 ///
 /// Define FIXED_SMALL for programs that must be small. The functions of real numbers then compute

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Signed integers of any width, for exact results before they are rounded.
 #pragma once
 
@@ -137,13 +137,13 @@ class wide_integer {
     return result;
   }
 
-  /// The remainder with the sign of a. \pre b is not zero; both have a bit to spare
+  /// The remainder with the sign of a. @pre b is not zero; both have a bit to spare
   friend constexpr wide_integer operator%(const wide_integer& a, const wide_integer& b) noexcept {
     const wide_integer rest = divide(a.negative() ? -a : a, b.negative() ? -b : b).remainder;
     return a.negative() ? -rest : rest;
   }
 
-  /// \pre 0 <= bits < 64 Words
+  /// @pre 0 <= bits < 64 Words
   friend constexpr wide_integer operator<<(const wide_integer& x, int bits) noexcept {
     wide_integer result;
     const auto skipped = static_cast<std::size_t>(bits) / 64;
@@ -157,7 +157,7 @@ class wide_integer {
     return result;
   }
 
-  /// Rounds toward -infinity. \pre 0 <= bits < 64 Words
+  /// Rounds toward -infinity. @pre 0 <= bits < 64 Words
   friend constexpr wide_integer operator>>(const wide_integer& x, int bits) noexcept {
     wide_integer result;
     const auto skipped = static_cast<std::size_t>(bits) / 64;
@@ -180,7 +180,7 @@ class wide_integer {
     return std::strong_ordering::equal;
   }
 
-  /// The quotient and the remainder of magnitudes. \pre x >= 0, divisor > 0, one bit to spare
+  /// The quotient and the remainder of magnitudes. @pre x >= 0, divisor > 0, one bit to spare
   struct division;
   static constexpr division divide(const wide_integer& x, const wide_integer& divisor) noexcept;
 

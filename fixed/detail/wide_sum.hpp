@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// A sum of products that cannot overflow.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Recorded forms of the operations with overflow as a value, between formats, and with exact
 /// intermediate results.
 #pragma once
@@ -51,7 +51,7 @@ constexpr recorded_number<N> as_recorded(N x) noexcept {
 
 }  // namespace record::detail
 
-/// \cond
+/// @cond
 // NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): defines functions
 #define FIXPROOF_RECORDED(name, parameters, plain_parameters, ...)                              \
   template <class N>                                                                            \
@@ -112,7 +112,7 @@ FIXPROOF_RECORDED_MIXED(multiply, multiply_to)
 FIXPROOF_RECORDED_MIXED(divide, divide_to)
 #undef FIXPROOF_RECORDED_MIXED
 // NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
-/// \endcond
+/// @endcond
 
 /// As ratio() of plain numbers.
 template <class R, detail::integer Int>
@@ -132,7 +132,7 @@ class accumulator<recorded_number<N>> {
   /// Zero.
   constexpr accumulator() noexcept = default;
 
-  /// \name As in the accumulator of plain numbers
+  /// @name As in the accumulator of plain numbers
   /// \{
 
   /// Adds or subtracts a number or a product.

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The functions of plain numbers for recorded numbers.
 #pragma once
 
@@ -22,7 +22,7 @@
 
 namespace fixproof {
 
-/// \cond
+/// @cond
 // NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): defines functions
 #define FIXPROOF_RECORDED_1(name, kind_name)                                          \
   template <class N>                                                                  \
@@ -116,9 +116,9 @@ FIXPROOF_RECORDED_1(acos, acos)
 #undef FIXPROOF_RECORDED_2
 #undef FIXPROOF_RECORDED_3
 #undef FIXPROOF_RECORDED_PAIR
-/// \endcond
+/// @endcond
 
-/// \name Functions with two results
+/// @name Functions with two results
 /// \{
 
 /// As those of plain numbers.
@@ -170,7 +170,7 @@ template <class N>
 }
 /// \}
 
-/// \name Angles in tenths of a degree
+/// @name Angles in tenths of a degree
 /// \{
 
 /// As those of plain numbers, which are templates that take any type, and so recorded ones. Of two
@@ -216,7 +216,7 @@ template <rounding Rule, class N>
   return fixproof::to_integer<Rule>(x.value_);
 }
 
-/// \name Signs and classes
+/// @name Signs and classes
 /// As those of plain numbers, and not recorded.
 /// \{
 template <class N>

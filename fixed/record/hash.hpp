@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The hashes of records, blocks and pages. They take words as numbers, so byte order does not
 /// matter.
 #pragma once

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The kinds of records in a log, with their numbers and names.
 #pragma once
 

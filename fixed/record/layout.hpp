@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The sizes and bit positions of a log. docs/recorder.md documents the format to the byte.
 #pragma once
 
@@ -43,7 +43,7 @@ inline constexpr std::uint32_t magic = 0x4c525846;
 /// call of confirm().
 inline constexpr std::int64_t no_frame = (std::numeric_limits<std::int64_t>::min)();
 
-/// \name Bits of the fourth word of an entry
+/// @name Bits of the fourth word of an entry
 /// \{
 inline constexpr word entry_operations = 0xffff;  ///< The operations of the block.
 inline constexpr word entry_begins_frame = 1 << 16;
@@ -51,7 +51,7 @@ inline constexpr word entry_is_last = 1 << 17;  ///< The run ended before the bl
 inline constexpr int entry_name_shift = 32;     ///< The number of the name in force at its start.
 /// \}
 
-/// \name A type, in the upper 24 bits of 32
+/// @name A type, in the upper 24 bits of 32
 /// The lower 8 bits of a tag are the kind and `tag_is_long`. Those of a type in a list are a
 /// value_class.
 /// \{
@@ -72,7 +72,7 @@ enum class value_class : std::uint8_t {
   none = 4,     ///< No result, as of checked_add() on overflow.
 };
 
-/// \name The upper half of the first word of a long record
+/// @name The upper half of the first word of a long record
 /// \{
 inline constexpr int long_operands_shift = 32;  ///< The number of operands, in 8 bits.
 inline constexpr int long_results_shift = 40;   ///< The number of results, in 8 bits.

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// A log of a run, and what the program reports about the run, such as frames and marks.
 #pragma once
 

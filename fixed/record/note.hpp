@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Puts one operation into the log.
 #pragma once
 
@@ -51,7 +51,7 @@ constexpr value value_of(Int x) noexcept {
 }
 constexpr value value_of(digest x) noexcept { return {class_code(value_class::digest), x.hash}; }
 
-/// \name The values of a result
+/// @name The values of a result
 /// \{
 
 /// A result may be a number or an integer, an optional number, a number and whether it overflowed,

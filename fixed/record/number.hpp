@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The number type that records its operations.
 #pragma once
 
@@ -42,7 +42,7 @@ constexpr place here(const char* file, unsigned line) noexcept { return {file, l
 template <class Number>
 class recorded_number {
  public:
-  /// \name As in Number
+  /// @name As in Number
   /// \{
 
   /// The members of Number with these names.
@@ -205,7 +205,7 @@ class recorded_number {
     return before;                                                                         \
   }
   // NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
-  /// \cond
+  /// @cond
   FIXPROOF_RECORDED_OPERATOR(+, add, never_throws)
   FIXPROOF_RECORDED_OPERATOR(-, subtract, never_throws)
   FIXPROOF_RECORDED_OPERATOR(*, multiply, multiply_never_throws)
@@ -215,7 +215,7 @@ class recorded_number {
   FIXPROOF_RECORDED_SHIFT(>>, shift_right)
   FIXPROOF_RECORDED_STEP(+, add)
   FIXPROOF_RECORDED_STEP(-, subtract)
-  /// \endcond
+  /// @endcond
 #undef FIXPROOF_RECORDED_OPERATOR
 #undef FIXPROOF_RECORDED_SHIFT
 #undef FIXPROOF_RECORDED_STEP
@@ -252,9 +252,9 @@ class recorded_number {
   Number value_{};
 };
 
-/// \cond
+/// @cond
 template <class Number>
 inline constexpr bool detail::is_number<recorded_number<Number>> = true;
-/// \endcond
+/// @endcond
 
 }  // namespace fixproof

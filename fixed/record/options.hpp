@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// What a program or its environment asks of a log.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The origin of a log: lines `name: value` for its first page.
 #pragma once
 

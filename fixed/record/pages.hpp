@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Writes the pages of a log.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// recorded<Number>: a number that logs every operation, so that `fixproof desync` finds the first
 /// operation in which two runs differ. docs/recorder.md is the guide.
 ///

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The interface of fixed/record/log.hpp when recording is off. Compilers leave no code of it.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Recorded numbers in the standard library: text, formatters, limits, hashes and common types.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace fixproof {
 
-/// \name Text
+/// @name Text
 /// As that of plain numbers. Reading is recorded, and writing is not.
 /// \{
 template <class N>
@@ -69,7 +69,7 @@ class std::numeric_limits<fixproof::recorded_number<N>> : public std::numeric_li
   using recorded = fixproof::recorded_number<N>;
 
  public:
-  /// \name As those of the plain number
+  /// @name As those of the plain number
   /// \{
 
   /// Members as the standard names them.
@@ -106,7 +106,7 @@ struct std::common_type<Int, fixproof::recorded_number<N>> {
   using type = fixproof::recorded_number<N>;
 };
 
-/// \cond
+/// @cond
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): defines a constant
 #define FIXPROOF_RECORDED_CONSTANT(name)                                                           \
   template <class N>                                                                               \
@@ -126,7 +126,7 @@ FIXPROOF_RECORDED_CONSTANT(inv_sqrt3_v)
 FIXPROOF_RECORDED_CONSTANT(phi_v)
 FIXPROOF_RECORDED_CONSTANT(egamma_v)
 #undef FIXPROOF_RECORDED_CONSTANT
-/// \endcond
+/// @endcond
 
 #if defined(__cpp_lib_format)
 #include <format>

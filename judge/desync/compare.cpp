@@ -39,7 +39,7 @@ bool are_swapped(const Operation& a, const Operation& a_next, const Operation& b
 }
 
 /// Skips the records that both sides have, at the same index or within a few records.
-/// \return the first index that remains on each side
+/// @return the first index that remains on each side
 std::pair<std::size_t, std::size_t> first_unmatched(const std::vector<Record>& a,
                                                     const std::vector<Record>& b) {
   std::vector<bool> has_match(b.size());
@@ -109,7 +109,7 @@ Verdict judge(const Place& a, const Place& b) {
   return enters(x) && enters(y) ? Verdict::input : Verdict::operands;
 }
 
-/// \param end the number of the block after the run or the frame
+/// @param end the number of the block after the run or the frame
 Place place_of(LogFile& log, word block, word end) {
   Place place;
   place.block = block;

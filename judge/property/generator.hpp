@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// RapidCheck generators for numbers.
 #pragma once
 

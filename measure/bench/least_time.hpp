@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Times of programs that need no library, so that one command compiles them with any compiler and
 /// flags.
 #pragma once

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Expected outcomes under each policy from tests/support/exact.hpp, and the edge operands. Of
 /// fixed/ this header takes only the names of the rules and of the errors.
 #pragma once
@@ -111,7 +111,7 @@ inline std::string text(const Type& type, const Outcome& x) {
   return x.throws ? "throws" : text(type, x.raw);
 }
 
-/// \name The same for a number type at compile time
+/// @name The same for a number type at compile time
 /// \{
 template <class Number>
 struct outcome {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Floating-point numbers taken apart, and the numbers that they should become.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Property checks for numbers of every type. RapidCheck takes seconds to compile for each operand
 /// type, so it draws stored integers of only two widths.
 #pragma once

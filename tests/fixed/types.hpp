@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The number types that every arithmetic test covers.
 #pragma once
 
@@ -94,7 +94,7 @@ constexpr Rules rules_of() {
 }
 
 /// Whether any two rules of a type of `Every` occur together in a type of `Few`.
-/// \param first, last which rules, by their place
+/// @param first, last which rules, by their place
 template <class... Every, class... Few>
 constexpr bool has_each_pair(testing::Types<Every...> /*every*/, testing::Types<Few...> /*few*/,
                              std::size_t first, std::size_t last) {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Tests that repeat for many types but are compiled once. They have the names of TYPED_TESTs, of
 /// which the compiler makes several classes for each type.
 #pragma once

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// How a call of a function ends: with a value, or with which error of the number type.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The reference arithmetic of the tests: exact fractions of 128-bit integers, rounded by the
 /// definition of each rule. It shares only the names of the rules with fixed/, and nothing with
 /// x86model/ and oracle/.

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The rounding mode of the processor, set for a lifetime.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// GoogleTest, and what nearly every test uses of the standard library. Where sources are
 /// compiled one by one, CMakeLists.txt precompiles this header.
 #pragma once

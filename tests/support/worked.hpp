@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Products and quotients of FixedMul and FixedDiv, worked by hand, for the tests of every party.
 #pragma once
 

@@ -294,8 +294,8 @@ void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::
   const Operation operation = variant.operation;
   if (!is_stream_of(stream, variant)) refuse(stream, variant);
   // The key leaves out the variant's rules, so all variants of an operation get the same cases.
-  const std::uint64_t key = mix(seed) + 0x100U * static_cast<std::uint64_t>(operation) +
-                            static_cast<std::uint64_t>(stream);
+  const std::uint64_t key =
+      mix(seed) + 0x100U * row_of(operation).seed + static_cast<std::uint64_t>(stream);
   if (is_conversion(operation)) {
     return make_conversion_cases(stream, variant, key, first, words);
   }

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <span>
 #include <stdexcept>
-#include <utility>
 
 #include "support/edits.hpp"
 #include "support/usage_error.hpp"
@@ -14,69 +12,19 @@ namespace fixproof::cases {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Operation>, 46> operations{{
-    {"mul", Operation::mul},
-    {"div", Operation::div},
-    {"cossin", Operation::cossin},
-    {"xformvec", Operation::xformvec},
-    {"concat", Operation::concat},
-    {"sqrt", Operation::sqrt},
-    {"sin", Operation::sin},
-    {"cos", Operation::cos},
-    {"decimal", Operation::decimal},
-    {"binary64", Operation::binary64},
-    {"add", Operation::add},
-    {"sub", Operation::sub},
-    {"exp2", Operation::exp2},
-    {"exp", Operation::exp},
-    {"log2", Operation::log2},
-    {"log", Operation::log},
-    {"log10", Operation::log10},
-    {"from_binary64", Operation::from_binary64},
-    {"convert", Operation::convert},
-    {"from_decimal", Operation::from_decimal},
-    {"to_decimal", Operation::to_decimal},
-    {"expm1", Operation::expm1},
-    {"log1p", Operation::log1p},
-    {"sinh", Operation::sinh},
-    {"cosh", Operation::cosh},
-    {"tanh", Operation::tanh},
-    {"tan", Operation::tan},
-    {"sin_of_degrees", Operation::sin_of_degrees},
-    {"cos_of_degrees", Operation::cos_of_degrees},
-    {"tan_of_degrees", Operation::tan_of_degrees},
-    {"sin_of_turns", Operation::sin_of_turns},
-    {"cos_of_turns", Operation::cos_of_turns},
-    {"tan_of_turns", Operation::tan_of_turns},
-    {"asin", Operation::asin},
-    {"acos", Operation::acos},
-    {"atan", Operation::atan},
-    {"cbrt", Operation::cbrt},
-    {"rsqrt", Operation::rsqrt},
-    {"reciprocal", Operation::reciprocal},
-    {"atan2", Operation::atan2},
-    {"hypot", Operation::hypot},
-    {"pow", Operation::pow},
-    {"fmod", Operation::fmod},
-    {"remainder", Operation::remainder},
-    {"mul_div", Operation::mul_div},
-    {"hypot3", Operation::hypot3},
-}};
-
 /// Returns the operation called `name` among `known`; `kind` is for the error message.
-Operation named(std::string_view name, std::string_view kind,
-                std::span<const std::pair<std::string_view, Operation>> known) {
+Operation named(std::string_view name, std::string_view kind, std::span<const OperationRow> known) {
   std::string all;
   std::string nearest;
   std::size_t fewest_edits = name.size() < 5 ? 1 : 2;
-  for (const auto& [other, operation] : known) {
-    if (other == name) return operation;
-    all += fmt::format("{}{}", all.empty() ? "" : ", ", other);
-    const std::size_t edits = support::edits_between(name, other);
+  for (const OperationRow& other : known) {
+    if (other.name == name) return other.operation;
+    all += fmt::format("{}{}", all.empty() ? "" : ", ", other.name);
+    const std::size_t edits = support::edits_between(name, other.name);
     if (edits > fewest_edits) continue;
     if (edits < fewest_edits) nearest.clear();
     fewest_edits = edits;
-    nearest += fmt::format("{}{}", nearest.empty() ? "" : " or ", other);
+    nearest += fmt::format("{}{}", nearest.empty() ? "" : " or ", other.name);
   }
   const std::string meant = nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
   throw std::invalid_argument(
@@ -84,8 +32,6 @@ Operation named(std::string_view name, std::string_view kind,
 }
 
 }  // namespace
-
-std::string_view name_of(Operation o) { return operations.at(static_cast<std::size_t>(o)).first; }
 
 std::string_view name_of(Target t) {
   switch (t) {
@@ -111,9 +57,9 @@ void check_format(Operation operation, const Format& format) {
 
 std::string function_names() {
   std::string all;
-  for (const auto& [name, operation] : operations) {
-    if (!is_function(operation) && !is_quotient_function(operation)) continue;
-    all += fmt::format("{}{}", all.empty() ? "" : ", ", name);
+  for (const OperationRow& row : operations) {
+    if (row.kind != Kind::function && row.kind != Kind::quotient) continue;
+    all += fmt::format("{}{}", all.empty() ? "" : ", ", row.name);
   }
   return all;
 }

@@ -10,65 +10,9 @@
 
 #include "verify/cases/build.hpp"
 #include "verify/cases/format.hpp"
+#include "verify/cases/operation.hpp"
 
 namespace fixproof::cases {
-
-/// The FIXED.ASM routines, then the operations that only the type has.
-enum class Operation : std::uint8_t {
-  mul,
-  div,
-  cossin,
-  xformvec,
-  concat,
-  sqrt,      ///< square root; 0 for a negative operand
-  sin,       ///< sine of an angle in radians
-  cos,       ///< cosine of an angle in radians
-  decimal,   ///< conversion to decimal text and back: the identity
-  binary64,  ///< conversion to double and back: the identity
-  add,       ///< a + b, for `gen`, `eval` and `check`
-  sub,       ///< a - b, likewise
-  // Functions of words of at most 32 bits, to nearest; out of range they saturate. More follow
-  // below, because the streams of cases depend on the place here.
-  exp2,   ///< 2 to the power of the operand
-  exp,    ///< e to the power of the operand
-  log2,   ///< binary logarithm; the lowest word unless the operand is positive
-  log,    ///< natural logarithm, likewise
-  log10,  ///< decimal logarithm, likewise
-  // Conversions, for `gen` and `check`.
-  from_binary64,  ///< a double to a word
-  convert,        ///< a word of another format to a word
-  from_decimal,   ///< decimal text to a word
-  to_decimal,     ///< a word to decimal text
-  // More functions. Outside its domain a logarithm is the lowest word; a root, a reciprocal, a
-  // tangent or a power of 0 is the highest; and any other function is 0.
-  expm1,  ///< exp(x) - 1
-  log1p,  ///< log(1 + x)
-  sinh,
-  cosh,
-  tanh,
-  tan,
-  sin_of_degrees,
-  cos_of_degrees,
-  tan_of_degrees,
-  sin_of_turns,
-  cos_of_turns,
-  tan_of_turns,
-  asin,
-  acos,
-  atan,
-  cbrt,
-  rsqrt,       ///< 1 / sqrt(x)
-  reciprocal,  ///< 1 / x
-  atan2,       ///< the angle of the vector (second operand, first operand)
-  hypot,       ///< the length of a vector
-  pow,         ///< the first operand to the power of the second
-  // Functions of a quotient; a zero divisor is a divide error.
-  fmod,       ///< the remainder of the quotient truncated toward zero, exact
-  remainder,  ///< the remainder of the nearest whole quotient, ties to even; exact, signed formats
-  mul_div,    ///< a * b / c, rounded once
-  // One more function of real numbers.
-  hypot3,  ///< the length of a vector of three numbers
-};
 
 /// One operation under one set of rules, at one width.
 struct Variant {
@@ -87,44 +31,6 @@ constexpr bool rounds(const Variant& v) {
   return v.operation == Operation::div ? v.build.div_round : v.build.mul_round;
 }
 
-constexpr std::size_t words_in(Operation o) {
-  switch (o) {
-    case Operation::mul:
-    case Operation::div:
-    case Operation::add:
-    case Operation::sub:
-    case Operation::atan2:
-    case Operation::hypot:
-    case Operation::pow:
-    case Operation::fmod:
-    case Operation::remainder:
-      return 2;
-    case Operation::mul_div:
-    case Operation::hypot3:
-      return 3;
-    case Operation::xformvec:
-      return 15;
-    case Operation::concat:
-      return 24;
-    default:
-      return 1;
-  }
-}
-constexpr std::size_t words_out(Operation o) {
-  switch (o) {
-    case Operation::cossin:
-      return 2;
-    case Operation::xformvec:
-      return 3;
-    case Operation::concat:
-      return 12;
-    default:
-      return 1;
-  }
-}
-inline constexpr std::size_t max_words_in = 24;
-inline constexpr std::size_t max_words_out = 12;
-
 /// Tells whether the routine has a repaired form: only the 8088 ConcatXforms loses a carry.
 constexpr bool can_be_repaired(Operation operation, Target target) {
   return operation == Operation::concat && target == Target::i8088;
@@ -141,27 +47,6 @@ constexpr Variant variant_of(Operation operation, const Build& build) {
   variant.build.repaired = build.repaired && can_be_repaired(operation, build.target);
   return variant;
 }
-
-constexpr bool is_conversion(Operation o) {
-  return o >= Operation::from_binary64 && o <= Operation::to_decimal;
-}
-
-/// Tells whether the operation is a function of real numbers. sin and cos of radians are functions
-/// in the formats that has_routine_format() does not cover.
-constexpr bool is_function(Operation o) {
-  return (o >= Operation::exp2 && o <= Operation::log10) ||
-         (o >= Operation::expm1 && o <= Operation::pow) || o == Operation::hypot3 ||
-         o == Operation::sin || o == Operation::cos;
-}
-
-/// Tells whether the operation is a function of a quotient: a remainder, or the quotient of a
-/// product. These exist in every format, but `remainder` only in signed ones.
-constexpr bool is_quotient_function(Operation o) {
-  return o >= Operation::fmod && o <= Operation::mul_div;
-}
-
-/// Tells whether a zero divisor leaves the operation without a result.
-constexpr bool divides(Operation o) { return o == Operation::div || is_quotient_function(o); }
 
 /// The format of each operand that is a word.
 constexpr const Format& operand_format(const Variant& v) {
@@ -205,9 +90,6 @@ constexpr bool has_routine_format(const Variant& v) {
          (has_model || !is_function(v.operation)) && (v.format == q16_16 || v.format == q8_8);
 }
 
-constexpr bool is_routine(Operation o) { return o <= Operation::concat; }
-
-std::string_view name_of(Operation o);
 std::string_view name_of(Target t);
 /// A short description: `mul i8088 off`, `sqrt standard`, `div i386 on, chapter 52, 8.8`.
 std::string name_of(const Variant& variant);

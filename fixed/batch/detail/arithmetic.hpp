@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The rules of fixed/policy.hpp, applied to blocks of numbers; see fixed/batch/detail/lanes.hpp.
 ///
 /// A function sets a lane of `bad` to ones if its result is out of range, and leaves it unchanged
@@ -87,7 +87,7 @@ FIXED_LANE_FUNCTION auto exact_product(i32 a, i32 b) {
 }
 
 /// Adds c to products.
-/// \pre F is at most the width of the stored integer less 2, so that the sums do not overflow
+/// @pre F is at most the width of the stored integer less 2, so that the sums do not overflow
 template <class N>
 FIXED_LANE_FUNCTION i32 exact_sum(i32 product, i32 c) {
   return product + (c << N::fraction_bits);
@@ -116,7 +116,7 @@ FIXED_LANE_FUNCTION i32 product(i32 a, i32 b, i32& bad) {
   return rounded_product<N>(exact_product<N>(a, b), bad);
 }
 
-/// \name Results whose range is checked later, for several blocks at once
+/// @name Results whose range is checked later, for several blocks at once
 ///
 /// These functions add half the range to the rounded sums. A sum in range is then not negative, and
 /// its upper bits are clear. `sums` collects the bits of all sums. Flipping the sign bit of the

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Runs an operation over a span in blocks; see fixed/batch/detail/lanes.hpp.
 ///
 /// An operation of fixed/batch/detail/elements.hpp, fixed/batch/detail/conversion_lanes.hpp or
@@ -27,7 +27,7 @@ namespace fixproof::detail::FIXED_LANES {
 
 /// Computes a block, and stores it unless it may have a fault. noted_blocks() computes such a block
 /// again, and needs its operands: an output may be an input.
-/// \return whether the block is stored
+/// @return whether the block is stored
 template <class Operation, class Part>
 FIXED_LANE_FUNCTION bool clean_block(const Operation& operation, std::size_t i, Part part) {
   typename Operation::check seen{};
@@ -40,7 +40,7 @@ FIXED_LANE_FUNCTION bool clean_block(const Operation& operation, std::size_t i, 
 }
 
 /// Computes blocks from `i` up to `end`, or up to a block or group of four that may have a fault.
-/// \return the first element that is left
+/// @return the first element that is left
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::size_t i,
                                              std::size_t end) {
@@ -71,7 +71,7 @@ FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::si
 }
 
 /// Computes the elements from `i` on.
-/// \return the first element that is left, or `count`. Elements are left if their blocks may have a
+/// @return the first element that is left, or `count`. Elements are left if their blocks may have a
 /// fault, if they do not fill a block and there are no masks, or if they would not be exact.
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size_t i,
@@ -103,7 +103,7 @@ FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size
 /// Computes the elements from `i` on, and records their faults. Calls note() for four blocks, then
 /// each_block() until a block may have a fault, and so on. Where faults are frequent, calls note()
 /// for 8 or 16 blocks at a time.
-/// \return the first element that is left, or `count`. Elements are left if they do not fill a
+/// @return the first element that is left, or `count`. Elements are left if they do not fill a
 /// block and there are no masks.
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t noted_blocks(const Operation& operation, std::size_t i,

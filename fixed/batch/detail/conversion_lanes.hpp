@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Conversions from and to float and double, for fixed/batch/detail/blocks.hpp.
 
 #if defined(FIXED_LANES)

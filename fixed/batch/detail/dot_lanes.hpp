@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Sums of products in 64-bit lanes; see fixed/batch/detail/lanes.hpp.
 
 #if defined(FIXED_LANES)

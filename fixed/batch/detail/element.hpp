@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// One element of a batch: its result and its fault.
 ///
 /// The portable path uses only this. Every other path uses it for the last few elements.

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Powers, logarithms and angles in double. fixed/batch/detail/function_lanes.hpp makes the
 /// functions from them; see fixed/batch/detail/lanes.hpp.
 
@@ -53,7 +53,7 @@ FIXED_LANE_FUNCTION f64 signed_as(f64 x, f64 sign) {
   return f64(i64(x) ^ (i64(sign) & sign_bit));
 }
 
-/// Returns the sum of scale * terms[n] x^n. \param scale a power of two
+/// Returns the sum of scale * terms[n] x^n. @param scale a power of two
 template <std::size_t n = 0, std::size_t size>
 FIXED_LANE_FUNCTION f64 polynomial(const std::array<double, size>& terms, double scale, f64 x) {
   if constexpr (n + 1 == size) {
@@ -91,7 +91,7 @@ FIXED_LANE_FUNCTION exponent_lanes exponent_of_e(f64 x) {
 }
 
 /// Returns scale * 2^exponent. The relative error is below 2^-44, or below 2^-33 if F <= 16.
-/// \param scale a power of two
+/// @param scale a power of two
 template <int F>
 FIXED_LANE_FUNCTION f64 power_of_two(const exponent_lanes& exponent, double scale) {
   return scaled(

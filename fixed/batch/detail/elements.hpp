@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The operations that work element by element, for fixed/batch/detail/blocks.hpp.
 
 #if defined(FIXED_LANES)

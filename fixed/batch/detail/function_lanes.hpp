@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Estimates of functions in double, each with an error bound; see fixed/batch/detail/lanes.hpp.
 ///
 /// If both ends of the range of an estimate round to the same integer, that integer is the
@@ -47,7 +47,7 @@ FIXED_LANE_FUNCTION growing_estimate estimated(of_expm1, f64 x) {
           f64{} + power_error<precise>, power_error<precise> * one_in<F>};
 }
 
-/// Returns a logarithm of x / 2^F. \param base the logarithm of 2 in its base
+/// Returns a logarithm of x / 2^F. @param base the logarithm of 2 in its base
 template <int F>
 FIXED_LANE_FUNCTION flat_estimate logarithm(f64 x, double base) {
   return {(binary_logarithm<F>(x) - F) * (base * one_in<F>), logarithm_error<F> * one_in<F>,
@@ -221,7 +221,7 @@ struct functions {
   }
 
   /// Computes out[i] = Function::scalar(from[i]...), as many as fill whole registers.
-  /// \return the number of elements done
+  /// @return the number of elements done
   template <class Function, class N, class... Operands>
   FIXED_LANE_TARGET static std::size_t each(N* out, std::size_t count,
                                             Operands... from) noexcept(N::never_throws) {

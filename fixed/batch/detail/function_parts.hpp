@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The functions for the instruction set that the macros of fixed/batch/detail/lanes.hpp name;
 /// undefines them at the end, as fixed/batch/detail/parts.hpp does.
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The functions of fixed/batch/functions.hpp as tags: the function of one number, and the limit of
 /// its results.
 #pragma once

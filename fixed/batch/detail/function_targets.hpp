@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Instantiates fixed/batch/detail/function_lanes.hpp for each instruction set, and selects one.
 #pragma once
 

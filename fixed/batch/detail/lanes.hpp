@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Vector registers, and the instructions that the compiler's vector types do not cover.
 ///
 /// fixed/batch/detail/parts.hpp includes this file once per instruction set. FIXED_LANES is the

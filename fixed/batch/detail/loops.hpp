@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The loops of fixed/batch/batch.hpp and fixed/batch/radian.hpp over whole blocks; see
 /// fixed/batch/detail/lanes.hpp.
 ///
@@ -15,7 +15,7 @@ namespace fixproof::detail::FIXED_LANES {
 /// The loops as a type, which on_path() passes to its callable.
 struct loops {
   /// Computes the elements from `done` on, up to a block that may have a fault.
-  /// \return the number of elements done, with those that were done before
+  /// @return the number of elements done, with those that were done before
   template <class Operation, class... Places>
   FIXED_LANE_LOOP static std::size_t run(std::size_t done, std::size_t count, Places... places) {
     return each_block(Operation{places...}, done, count);
@@ -36,7 +36,7 @@ struct loops {
   }
   /// Computes the elements from how.done on, and records their faults. Computes none for operations
   /// without faults, because the loop above has done all that it can.
-  /// \return as run() above
+  /// @return as run() above
   template <class Operation, class... Places>
   FIXED_LANE_LOOP static std::size_t run(const recording& how, std::size_t count,
                                          Places... places) {

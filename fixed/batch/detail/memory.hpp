@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Loads and stores of blocks; see fixed/batch/detail/lanes.hpp.
 ///
 /// `base` points to element 0. Raw may be a number, its stored integer, or the floating-point
@@ -170,7 +170,7 @@ enum class stores : bool { cached, past_caches };
 template <class Raw>
 inline constexpr bool may_store_past = can_store_past && sizeof(Raw) == 4;
 
-/// \pre To bypass the caches: may_store_past, and element `index` is aligned to the register size
+/// @pre To bypass the caches: may_store_past, and element `index` is aligned to the register size
 template <class Raw, stores how>
 FIXED_LANE_FUNCTION void store(void* base, std::size_t index, i32 x) {
   if constexpr (how == stores::past_caches) {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// All vector code for the instruction set that the macros of fixed/batch/detail/lanes.hpp name;
 /// undefines them at the end.
 ///

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The polynomials of fixed/batch/detail/elementary_lanes.hpp. tests/tools/batch-polynomials writes
 /// this file.
 #pragma once

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The plain loops: the whole portable path, and the last elements of every other path.
 #pragma once
 
@@ -16,7 +16,7 @@
 namespace fixproof::detail {
 
 /// Computes the elements from `i` up to `count`, excluded, with the number type.
-/// \param element (index, from...) -> outcome. It may have a member blocks() with the arguments
+/// @param element (index, from...) -> outcome. It may have a member blocks() with the arguments
 ///                (i, count, found, to, from...), which returns the first element that is left.
 template <class Element, class T, class... From>
 void each_element(std::size_t i, std::size_t count, fault_recorder& found, const Element& element,
@@ -41,7 +41,7 @@ struct quotient_element {
   /// Computes blocks under a policy that never throws, in a loop that compilers vectorise. A second
   /// loop finds faults, which are rare. Results are buffered until all operands of a block are
   /// read, because an output may be an input.
-  /// \return the first element that is left
+  /// @return the first element that is left
   template <class N>
   requires(N::divide_never_throws&& has_quotient_lanes<N>) std::size_t
       blocks(std::size_t i, std::size_t count, fault_recorder& found, N* to, const N* n, const N* d)

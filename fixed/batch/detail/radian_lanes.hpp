@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The vector form of detail::nearest_sine(); see fixed/batch/detail/lanes.hpp.
 ///
 /// The even and the odd lanes of a block are computed in separate registers of 64-bit lanes.

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The report of a batch, and its collection.
 #pragma once
 
@@ -59,7 +59,7 @@ inline std::string describe(const fault_count& x) {
 /// until the first fault.
 class fault_recorder {
  public:
-  /// \param marks one for each element, or none
+  /// @param marks one for each element, or none
   explicit fault_recorder(std::span<bool> marks) noexcept : marks_(marks) {
     if (!marks.empty()) std::fill(marks.begin(), marks.end(), false);
   }
@@ -69,7 +69,7 @@ class fault_recorder {
   }
 
   /// Records a fault of element index + k for every bit k that is set in `bits`.
-  /// \param bits must not be zero
+  /// @param bits must not be zero
   void note_bits(fault what, std::uint32_t bits, std::size_t index) noexcept {
     if (!any_) found_.fill({0, batch::report::nowhere});
     any_ = true;
@@ -84,7 +84,7 @@ class fault_recorder {
 
   /// Returns the report. Without marks, throws the error of the first element for which an
   /// operation under these rules throws.
-  /// \param operation the name in the text of the error
+  /// @param operation the name in the text of the error
   template <overflow O, divide_fault Fault>
   [[nodiscard]] batch::report finish(const char* operation) const {
     if (!any_) [[likely]] {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The options of a batch, and how it runs.
 #pragma once
 
@@ -36,14 +36,14 @@ FIXED_ALWAYS_INLINE std::size_t batch_length(const batch::options& how,
 }
 
 /// Computes elements and records their faults. Calls `blocks` on the path of `how`, then `rest`.
-/// \tparam few      up to this many elements are faster without that path
-/// \tparam has      whether the loops cover the operation
-/// \tparam O        the overflow rule of the operation
-/// \tparam Fault    the divide errors of the operation
-/// \param done      the number of elements that are done already
-/// \param blocks    (loops, const recording&) -> number of elements done
-/// \param rest      (number of elements done, fault_recorder&), computes the others
-/// \param operation the name in the text of an error
+/// @tparam few      up to this many elements are faster without that path
+/// @tparam has      whether the loops cover the operation
+/// @tparam O        the overflow rule of the operation
+/// @tparam Fault    the divide errors of the operation
+/// @param done      the number of elements that are done already
+/// @param blocks    (loops, const recording&) -> number of elements done
+/// @param rest      (number of elements done, fault_recorder&), computes the others
+/// @param operation the name in the text of an error
 template <std::size_t few, bool has, overflow O, divide_fault Fault, class Blocks, class Rest>
 FIXED_ALWAYS_INLINE batch::report run_recorded(const char* operation, const batch::options& how,
                                                std::size_t done, std::size_t count,
@@ -80,12 +80,12 @@ FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] T& copy) noexcept {
 }
 
 /// Runs a batch of elements that seldom have faults.
-/// \tparam few      up to this many elements are faster one by one, or up to few / 4 if the first
+/// @tparam few      up to this many elements are faster one by one, or up to few / 4 if the first
 ///                  blocks need no call
-/// \param blocks    (loops, start, count, to, from...) -> number of elements done. The start is
+/// @param blocks    (loops, start, count, to, from...) -> number of elements done. The start is
 ///                  few_blocks, the index of an element, or a recording. Without a recording, stops
 ///                  at a fault.
-/// \param element   as for each_element()
+/// @param element   as for each_element()
 template <std::size_t few, bool has, overflow O, divide_fault Fault = divide_fault::none,
           class Blocks, class Element, class T, class... From>
 FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Concepts and loads for spans of numbers, vertices and points.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Instantiates the loops of fixed/batch/batch.hpp and fixed/batch/radian.hpp for each instruction
 /// set that the compiler supports, and selects one at run time.
 #pragma once
@@ -164,7 +164,7 @@ inline constexpr bool sure_of_masks = FIXED_SURE_OF_AVX512 == 1;
 
 /// Calls call(loops) with the loops of a path and returns its result. On the portable path and on
 /// unavailable paths, returns 0, because no element is done.
-/// \tparam has whether the loops cover the operation on the numbers
+/// @tparam has whether the loops cover the operation on the numbers
 template <bool has, class Call>
 FIXED_ALWAYS_INLINE std::size_t on_path(batch::path which, const Call& call) {
   if constexpr (has) {

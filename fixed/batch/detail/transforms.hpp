@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The two transforms of a vertex: one rounds each product, the other rounds each sum. row(i, v) is
 /// coordinate i of vertex v.
 #pragma once

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Vertices and points in vector registers; see fixed/batch/detail/lanes.hpp.
 
 #if defined(FIXED_LANES)
@@ -84,8 +84,8 @@ bool is_aligned(const void* base, std::size_t index) {
 /// Prefetches the data that is read eight AVX-512 blocks later. In a stream of three registers per
 /// block, the hardware prefetcher does not look far enough ahead. An address beyond the end of an
 /// array causes no access.
-/// \param index  the next byte to read
-/// \tparam block the bytes read between two calls
+/// @param index  the next byte to read
+/// @tparam block the bytes read between two calls
 template <std::size_t block>
 FIXED_LANE_FUNCTION void prefetch(const void* base, std::size_t index) {
   constexpr std::uintptr_t distance = 1536;
@@ -97,7 +97,7 @@ FIXED_LANE_FUNCTION void prefetch(const void* base, std::size_t index) {
 
 // NOLINTEND(*-reinterpret-cast,performance-no-int-to-ptr)
 
-/// \name Vertices x y z x y z in one array, or each coordinate in its own
+/// @name Vertices x y z x y z in one array, or each coordinate in its own
 /// \{
 
 template <class N>
@@ -280,7 +280,7 @@ struct transform_lanes {
   }
 };
 
-/// \param of has a bit set for each lane whose overflow is recorded
+/// @param of has a bit set for each lane whose overflow is recorded
 template <class N, stores how, overflow O, class Transform, class From, class To>
 FIXED_LANE_FUNCTION void transform_block(const Transform& t, const From& from, const To& to,
                                          std::size_t i, std::uint32_t of, fault_recorder& found) {
@@ -297,7 +297,7 @@ inline constexpr std::size_t past_caches_from = std::size_t{8} << 20;
 
 /// Transforms all whole blocks, and the vertices after them if there are masks. Always inlined, so
 /// that the pointers stay in registers.
-/// \return the number of vertices done
+/// @return the number of vertices done
 template <template <class> class Transform, class N, class From, class To>
 FIXED_LANE_FUNCTION std::size_t transform_blocks(const transform_rows<N>& rows, const From& from,
                                                  const To& to, std::size_t count,

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The operands of an operation, as 16.16 words, and the arrays that contenders read and write.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Contenders, their verification and their timing. A kernel K computes one operation:
 ///
 ///     using in, out                     the types of its elements

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// All groups of contenders, from three files that are compiled by themselves.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Loops over the vectors of Highway. Highway chooses the instruction set at run time among those
 /// at least as good as the flags of the compiler name, as batches do.
 #pragma once

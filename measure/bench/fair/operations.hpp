@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// What each operation takes and what it should return. Exact results are long doubles, computed
 /// from the words without any code that is timed.
 ///

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Peers in one line of C++, in integers and in double, and functions of libfixmath and FreeType.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Peers of dot products and transforms: plain loops and Eigen. And copies, the limit of both.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The loops of a transform, for peers and for our side. A Row computes one coordinate:
 ///
 ///     using number

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Our side: the number type one by one, and batches.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Sines and cosines of vectors of double by glibc's libmvec and by SLEEF, in the widest registers
 /// that the flags of the compiler name. x86-64 only.
 #pragma once

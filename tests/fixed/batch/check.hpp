@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Checks a batch against the expected elements on every path of this processor. The calls are
 /// std::function, so that the checks are compiled once for each type of number.
 #pragma once

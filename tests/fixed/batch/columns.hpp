@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Numbers of a type that is known at run time. Operands, loops and comparisons that use them are
 /// compiled once; of each number type, a test compiles only the operations.
 #pragma once
@@ -75,7 +75,7 @@ std::span<N> numbers(void* to, std::size_t count) {
 /// Numbers in memory between guards. Without words, they are noise.
 class Column {
  public:
-  /// \param before the number of guards in front, for other alignments
+  /// @param before the number of guards in front, for other alignments
   Column(const Type& type, std::size_t count, std::size_t before = 1)
       : type_(type), before_(before), bytes_((before + count + 1) * type.size, noise) {}
   /// Takes the words modulo the range of the type.

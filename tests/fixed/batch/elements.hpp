@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The operations that work element by element, for types known at run time, and their checks.
 #pragma once
 
@@ -32,7 +32,7 @@ Result result_of(const Expected<N>& x) {
   return {x.value.raw(), x.fault};
 }
 
-/// \name The operations of a type
+/// @name The operations of a type
 /// \{
 
 inline constexpr auto multiply = []<class N>(std::type_identity<N> /*number*/) -> Operation {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Expected result and fault of one batch element. They come from the operators of the number type
 /// under its policy and under policies that treat faults differently.
 #pragma once

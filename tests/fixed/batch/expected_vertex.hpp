@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Expected results of transforming or projecting one vertex, from the number type.
 #pragma once
 
@@ -22,7 +22,7 @@ struct Coordinates {
   Fault fault = Fault::none;
 };
 
-/// \param coordinate (row[0], row[1], row[2], row[3], x, y, z), in numbers of one type
+/// @param coordinate (row[0], row[1], row[2], row[3], x, y, z), in numbers of one type
 template <class Number, class Coordinate>
 Coordinates<Number, 3> expected_vertex(const Rows<Number>& rows, const Vertex<Number>& v,
                                        const Coordinate& coordinate) {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The functions of fixed/batch/functions.hpp next to those of one number.
 #pragma once
 

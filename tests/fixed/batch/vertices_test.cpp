@@ -44,7 +44,7 @@ struct Tuples {
   Column all;
   std::vector<Column> columns;
 
-  /// \param coordinates the words of each column
+  /// @param coordinates the words of each column
   Tuples(const Type& type, const std::vector<Words>& coordinates)
       : count(coordinates[0].size()), words(coordinates), all(type, interleaved(coordinates)) {
     for (const Words& column : coordinates) columns.emplace_back(type, column);
@@ -73,7 +73,7 @@ struct Operation {
   const char* name;
   /// The numbers of a result.
   std::size_t size;
-  /// Computes the expected result. \param by the rows, or the constant
+  /// Computes the expected result. @param by the rows, or the constant
   Fault (*one)(const Words& by, const Word* vertex, Word* result);
   Report (*interleaved)(const void* by, const void* in, void* out, std::size_t count,
                         const Options& how);
@@ -91,7 +91,7 @@ class Check {
   Check(const Operation& operation, const Words& by, const Tuples& in)
       : operation_(operation), by_(operation.type, by), in_(in), want_(expected(by)) {}
 
-  /// \param before the guards in front of the results
+  /// @param before the guards in front of the results
   void interleaved(std::size_t before = 1) const {
     for (const auto path : paths()) {
       Column out(operation_.type, in_.count * operation_.size, before);
@@ -111,7 +111,7 @@ class Check {
       compare(path, report, marked, {&all}, {&want_.all});
     }
   }
-  /// \param before the guards in front of each column of results
+  /// @param before the guards in front of each column of results
   void in_columns(const std::array<std::size_t, 3>& before) const {
     for (const auto path : paths()) {
       std::vector<Column> in = in_.columns;
@@ -120,7 +120,7 @@ class Check {
       in_columns(path, in, {&out[0], &out[1], &out[2]});
     }
   }
-  /// \param place the column of operands that each column of results replaces
+  /// @param place the column of operands that each column of results replaces
   void columns_in_place(const std::array<std::size_t, 3>& place) const {
     for (const auto path : paths()) {
       std::vector<Column> in = in_.columns;
@@ -199,7 +199,7 @@ struct Transform {
   }
 };
 
-/// \param Expected, Call the expected vertex, and the batch
+/// @param Expected, Call the expected vertex, and the batch
 template <class N, auto Expected, auto Call>
 Operation transform_of(const char* name) {
   return {Type::of<N>(),

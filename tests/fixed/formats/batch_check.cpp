@@ -141,7 +141,7 @@ class Check {
     }
   }
 
-  /// \param before elements before the results
+  /// @param before elements before the results
   void part(path use, std::size_t at, std::size_t before, std::size_t count) const {
     const integer noise = 0x5a;
     auto columns = inputs();

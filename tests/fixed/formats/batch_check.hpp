@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Checks a batch operation against exact results: every length to 40 at unaligned addresses, all
 /// operands at once, in place, on every path of this processor, with marks and without.
 #pragma once

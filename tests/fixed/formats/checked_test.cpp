@@ -153,7 +153,7 @@ Expected forms_of(const Type& type, const integer& exact) {
   return {std::nullopt, type.wrapped(exact), exact < 0 ? type.lowest : type.highest};
 }
 
-/// \param x, y, z  stored integers
+/// @param x, y, z  stored integers
 Expected expected(Op op, const Type& type, const integer& x, const integer& y, const integer& z) {
   const auto forms = [&](const integer& exact) { return forms_of(type, exact); };
   const auto product = [&](const integer& n) {

@@ -108,7 +108,7 @@ std::vector<Given> given_everywhere(const auto& constant_of) {
   return all;
 }
 
-/// \param whole_bits binary digits of the constant before the point; -1 if it is below a half
+/// @param whole_bits binary digits of the constant before the point; -1 if it is below a half
 void expect_nearest(const std::vector<Given>& all, const integer& value, int whole_bits) {
   int out_of_range = 0;
   for (const Given& given : all) {

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Integers of 1,024 bits and a sign. Only integer.cpp includes Boost.Multiprecision, whose
 /// templates would take every test seconds to compile.
 #pragma once
@@ -55,7 +55,7 @@ class integer {
   friend std::ostream& operator<<(std::ostream& out, const integer& x);
 
   friend integer power(int base, int exponent);
-  /// The square root, rounded down. \pre n >= 0
+  /// The square root, rounded down. @pre n >= 0
   friend integer floor_root(const integer& n);
 
  private:

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The exact result of every operation in every format, by definition, from integers of 1,024 bits.
 /// Of fixed/ this header takes only the names of the rules and errors.
 ///
@@ -19,11 +19,11 @@
 
 namespace reference {
 
-/// n / d rounded down. \pre d > 0
+/// n / d rounded down. @pre d > 0
 integer below(const integer& n, const integer& d);
-/// n / d rounded by the rule. \pre d > 0
+/// n / d rounded by the rule. @pre d > 0
 integer round(const integer& n, const integer& d, fixproof::rounding rule);
-/// The nearest integer to sqrt(n). \pre n >= 0
+/// The nearest integer to sqrt(n). @pre n >= 0
 integer root(const integer& n);
 
 /// The stored integer of a number of any type, extended to 64 bits by its sign.
@@ -59,7 +59,7 @@ struct Type {
   [[nodiscard]] integer wrapped(const integer& x) const;
   /// A stored integer from the low bits of `value`.
   [[nodiscard]] Word word(std::uint64_t value) const;
-  /// \pre fits(x)
+  /// @pre fits(x)
   [[nodiscard]] Word stored(const integer& x) const;
   [[nodiscard]] integer value(Word stored) const;
 };

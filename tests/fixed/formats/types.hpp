@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The formats that the tests of this folder cover: every width, signed and unsigned, with no, few,
 /// all but one and all bits after the point.
 #pragma once

@@ -122,7 +122,7 @@ void approach(Neighbour& to, const Neighbour& by, std::uint64_t highest) {
   to.off -= steps * by.off;
 }
 
-/// The fractions nearest to sine / cosine with d <= highest. \pre 0 < sine < cosine
+/// The fractions nearest to sine / cosine with d <= highest. @pre 0 < sine < cosine
 Neighbours neighbours_of(Wide sine, Wide cosine, std::uint64_t highest) {
   constexpr Wide uncertain = Wide{1} << 40;
   Neighbour below{0, 1, sine};

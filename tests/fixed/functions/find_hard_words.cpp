@@ -194,7 +194,7 @@ void find(const functions::Named<N>& f, const char* format, std::size_t count) {
 
 enum class Answer { found, different, unknown };
 
-/// \param count 0 to compare the words near a tie
+/// @param count 0 to compare the words near a tie
 template <class N>
 Answer find_in(std::string_view function, const char* format, std::size_t count) {
   for (const functions::Named<N>& f : functions::unary<N>) {

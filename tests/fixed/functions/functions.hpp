@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The functions of real numbers: what the oracle calls them and how the type computes them.
 #pragma once
 

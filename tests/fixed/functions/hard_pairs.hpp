@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Reads the files of vectors whose angles are nearest to a tie.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The operands of hard_words.txt, whose results are nearest to a tie.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// Compares an expression of plain numbers with the same expression of recorded ones, which must
 /// give the same bits and make a number of records.
 #pragma once
@@ -23,7 +23,7 @@ namespace comparison {
 
 using namespace fixproof;
 
-/// \name A result as text, to compare
+/// @name A result as text, to compare
 /// What makes the text is not inlined: it would be compiled thousands of times.
 /// \{
 [[gnu::noinline]] inline void add_integer(std::string& text, std::int64_t x) {

@@ -209,7 +209,7 @@ TEST(FunctionCases, FindDefectsThatAreRare) {
   }));
 }
 
-/// n / d, half up. \pre d is not 0
+/// n / d, half up. @pre d is not 0
 std::int64_t half_up(std::int64_t n, std::int64_t d) {
   if (d < 0) {
     n = -n;
@@ -231,7 +231,7 @@ std::int64_t product_by_halves(std::int64_t x, std::int64_t y, std::uint64_t car
 }
 
 /// The remainder of the nearest quotient. `is_odd` says whether a tie goes from the truncated
-/// quotient to the next one. \pre y is not 0
+/// quotient to the next one. @pre y is not 0
 template <class IsOdd>
 std::uint32_t remainder_of(std::int64_t x, std::int64_t y, const IsOdd& is_odd) {
   const std::int64_t truncated = x % y;

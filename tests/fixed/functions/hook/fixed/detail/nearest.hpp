@@ -1,4 +1,4 @@
-/// \file
+/// @file
 /// The rounding of fixed/detail/nearest.hpp, which also remembers how near the value is to a tie.
 #pragma once
 
