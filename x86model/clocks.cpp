@@ -3,125 +3,33 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <string>
 
+#include "x86model/clock_rows.hpp"
 #include "x86model/encoding.hpp"
 #include "x86model/execute.hpp"
+#include "x86model/text.hpp"
 
-// Sources:
-//   8088  iAPX 86,88 User's Manual (210200), table 2-21; MUL and DIV as measured on the processor
-//   286   80286 Programmer's Reference Manual, appendix B
-//   386   80386 Programmer's Reference Manual (1986), chapter 17
-//   486   i486 Microprocessor Programmer's Reference Manual (1990), chapter 26 and appendix E
-// and the processor's data sheet, where a manual is known to be wrong or omits a form.
+// MUL and DIV on an 8088 are as measured on the processor; clock_rows.hpp has the other sources.
 
 namespace x86model {
 
 namespace {
 
-/// A table entry: a number of clocks, or its bounds; 0 if there is none.
-struct Cell {
-  std::uint32_t min;
-  std::uint32_t max;
-  constexpr Cell(std::uint32_t n) : min(n), max(n) {}  // NOLINT(google-explicit-constructor)
-  constexpr Cell(std::uint32_t low, std::uint32_t high) : min(low), max(high) {}
-  [[nodiscard]] constexpr bool is_absent() const { return max == 0; }
-};
-constexpr Cell absent = 0;
+using figures::Cell;
+constexpr Cell absent = figures::no_figure;
 
-/// Groups of instructions with the same times.
-enum class Kind : std::uint8_t {
-  mov,
-  push,
-  pop,
-  arithmetic,
-  subtract_or_xor,
-  compare,
-  neg,
-  step,
-  shift,
-  double_shift,
-  store_string
-};
-
-/// The operand kinds of an instruction; `one` is a shift count of one.
-enum class Shape : std::uint8_t { none, r, m, rr, rm, mr, ri, r_one, rri };
-
-struct Row {
-  Kind kind = Kind::mov;
-  Shape shape = Shape::rr;
-  /// Without the effective address and the transfer penalty of the 8088.
-  Cell i8088 = absent;
-  /// Words that go over the bus; for byte forms, bytes.
-  std::uint32_t transfers = 0;
-  Cell i286 = absent;
-  Cell i386 = absent;
-  Cell i486 = absent;
-};
-
-constexpr std::array clock_table{
-    // kind, shape, 8088, transfers, 286, 386, 486
-    Row{Kind::mov, Shape::rr, 2, 0, 2, 2, 1},
-    Row{Kind::mov, Shape::rm, 8, 1, 5, 4, 1},
-    Row{Kind::mov, Shape::mr, 9, 1, 3, 2, 1},
-    Row{Kind::push, Shape::r, 11, 1, 3, 2, 1},
-    Row{Kind::push, Shape::m, 16, 2, 5, 5, 4},
-    // The 486 manual says 4; its data sheet says 1 for the short form, which applies here.
-    Row{Kind::pop, Shape::r, 8, 1, 5, 4, {1, 4}},
-    Row{Kind::arithmetic, Shape::rr, 3, 0, 2, 2, 1},
-    Row{Kind::arithmetic, Shape::ri, 4, 0, 3, 2, 1},
-    Row{Kind::arithmetic, Shape::rm, 9, 1, 7, 6, 2},
-    Row{Kind::subtract_or_xor, Shape::rr, 3, 0, 2, 2, 1},
-    Row{Kind::subtract_or_xor, Shape::ri, 4, 0, 3, 2, 1},
-    // The 386 manual says 7 to a register and 6 to memory, the reverse of ADD and AND. Tables that
-    // do
-    // not follow it say 6 and 7 for all.
-    Row{Kind::subtract_or_xor, Shape::rm, 9, 1, 7, {6, 7}, 2},
-    Row{Kind::compare, Shape::rr, 3, 0, 2, 2, 1},
-    Row{Kind::compare, Shape::ri, 4, 0, 3, 2, 1},
-    // CMP takes a clock less than ADD on a 286.
-    Row{Kind::compare, Shape::rm, 9, 1, 6, 6, 2},
-    Row{Kind::neg, Shape::r, 3, 0, 2, 2, 1},
-    Row{Kind::neg, Shape::m, 16, 2, 7, 6, 3},
-    Row{Kind::step, Shape::r, 2, 0, 2, 2, 1},
-    Row{Kind::shift, Shape::r_one, 2, 0, 2, 3, 3},
-    Row{Kind::shift, Shape::ri, absent, 0, absent, 3, 2},
-    Row{Kind::double_shift, Shape::rri, absent, 0, absent, 3, 2},
-    Row{Kind::store_string, Shape::none, 11, 1, 3, 4, 5},
-};
-
-std::optional<Kind> kind_of(Mnemonic op) {
-  using namespace detail;
-  if (op == Mnemonic::mov) return Kind::mov;
-  if (op == Mnemonic::push) return Kind::push;
-  if (op == Mnemonic::pop) return Kind::pop;
-  if (op == Mnemonic::cmp) return Kind::compare;
-  if (op == Mnemonic::sub || op == Mnemonic::sbb || op == Mnemonic::xor_) {
-    return Kind::subtract_or_xor;
+/// The operands as the rows name them; `1` is a shift count of one.
+std::string shape_of(const Instruction& i) {
+  std::string shape;
+  for (const Operand& o : i.operands) {
+    if (o.kind == Operand::Kind::reg) shape += 'r';
+    if (o.kind == Operand::Kind::memory) shape += 'm';
+    if (o.kind == Operand::Kind::immediate || o.kind == Operand::Kind::label) shape += 'i';
   }
-  if (is_two_operand(op)) return Kind::arithmetic;
-  if (op == Mnemonic::neg) return Kind::neg;
-  if (is_one_operand(op)) return Kind::step;
-  if (is_shift(op)) return Kind::shift;
-  if (is_double_shift(op)) return Kind::double_shift;
-  if (is_store_string(op)) return Kind::store_string;
-  return std::nullopt;
-}
-
-std::optional<Shape> shape_of(const Instruction& i) {
-  using enum Operand::Kind;
-  const auto are = [&](Operand::Kind a, Operand::Kind b, Operand::Kind c) {
-    return i.operands[0].kind == a && i.operands[1].kind == b && i.operands[2].kind == c;
-  };
-  if (are(none, none, none)) return Shape::none;
-  if (are(reg, none, none)) return Shape::r;
-  if (are(memory, none, none)) return Shape::m;
-  if (are(reg, reg, none)) return Shape::rr;
-  if (are(reg, memory, none)) return Shape::rm;
-  if (are(memory, reg, none)) return Shape::mr;
-  if (are(reg, reg, immediate)) return Shape::rri;
-  if (!are(reg, immediate, none)) return std::nullopt;
   const bool by_one = detail::is_shift(i.mnemonic) && encoding_of(i).immediate == 0;
-  return by_one ? Shape::r_one : Shape::ri;
+  if (by_one) shape.back() = '1';
+  return shape;
 }
 
 bool reads_or_writes_memory(const Instruction& i) {
@@ -268,57 +176,36 @@ Cell divide(Cpu cpu, const Execution& e) {
 /// ADD SP,n with an 8-bit n.
 constexpr Encoding caller_next{.mod_rm = 1, .immediate = 1};
 
-/// The same for every jump except RET; `m`, the length of the next instruction, is added.
 Cell control_flow(Cpu cpu, const Execution& e) {
-  const bool call = e.instruction.mnemonic == Mnemonic::call;
-  const bool ret = e.instruction.mnemonic == Mnemonic::ret;
-  const bool loop = e.instruction.mnemonic == Mnemonic::loop;
-  const bool to_register = e.instruction.operands[0].kind == Operand::Kind::reg;
+  const Mnemonic op = e.instruction.mnemonic;
+  const bool is_loop = op == Mnemonic::loop;
+  const bool is_conditional = detail::condition_of(op).has_value();
+  const auto* row =
+      figures::transfer_of(is_conditional ? "jcc" : name_of(op), shape_of(e.instruction), e.taken);
+  if (row == nullptr) return absent;
+  const std::uint32_t clocks = figures::column(cpu, *row);
+  // The next instruction's length counts after a taken jump, and after every LOOP of a 386.
   const Encoding next = e.next == nullptr ? caller_next : encoding_of(*e.next);
-  switch (cpu) {
-    case Cpu::i8088:
-      // The word pushed by CALL and popped by RET.
-      if (call) return 19 + second_byte;
-      if (ret) return 16 + second_byte;
-      if (loop) return e.taken ? 17 : 5;
-      if (to_register) return 11;
-      if (e.instruction.mnemonic == Mnemonic::jmp) return 15;
-      return e.taken ? 16 : 4;
-    case Cpu::i286:
-      if (loop) return e.taken ? 8 + static_cast<std::uint32_t>(next.bytes()) : 4;
-      if (!e.taken) return 3;
-      return static_cast<std::uint32_t>((ret ? 11 : 7) + next.bytes());
-    case Cpu::i386:
-      // The same time taken or not; both include the length of the next instruction.
-      if (loop) return 11 + static_cast<std::uint32_t>(next.components());
-      if (!e.taken) return 3;
-      return static_cast<std::uint32_t>((ret ? 10 : 7) + next.components());
-    case Cpu::i486:
-      break;
+  if (cpu == Cpu::i286 && e.taken) return clocks + static_cast<std::uint32_t>(next.bytes());
+  if (cpu == Cpu::i386 && (e.taken || is_loop)) {
+    return clocks + static_cast<std::uint32_t>(next.components());
   }
-  if (loop) return e.taken ? 7 : 6;
-  if (ret || to_register) return 5;
-  return e.taken ? 3 : 1;
+  return clocks;
 }
 
 Cell look_up(Cpu cpu, const Instruction& i) {
-  const auto* row = std::find_if(clock_table.begin(), clock_table.end(), [&](const Row& r) {
-    return r.kind == kind_of(i.mnemonic) && r.shape == shape_of(i);
-  });
-  if (row == clock_table.end()) return absent;
-  switch (cpu) {
-    case Cpu::i8088:
-      if (row->i8088.is_absent()) return absent;
-      return row->i8088.min + effective_address_clocks(i) +
-             (is_of_bytes(i) ? 0 : second_byte * row->transfers);
-    case Cpu::i286:
-      return row->i286;
-    case Cpu::i386:
-      return row->i386;
-    case Cpu::i486:
-      break;
+  const Size operands = i.operands[0].size;
+  const char size = operands == Size::byte ? 'b' : operands == Size::dword ? 'd' : 'w';
+  const auto* row = figures::row_of(name_of(i.mnemonic), shape_of(i), size);
+  if (row == nullptr) return absent;
+  const Cell cell = figures::column(cpu, *row);
+  if (cell.max == 0) return absent;
+  const auto count = static_cast<std::uint32_t>(i.operands[1].value);
+  std::uint32_t more = cell.per_count * count;
+  if (cpu == Cpu::i8088) {
+    more += effective_address_clocks(i) + (is_of_bytes(i) ? 0 : second_byte * row->words);
   }
-  return row->i486;
+  return {cell.min + more, cell.max + more};
 }
 
 Cell cell_of(Cpu cpu, const Execution& e) {
@@ -377,7 +264,7 @@ std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
   const int prefixes_of_386 = prefixes - (overrides_segment(i) ? 1 : 0);
   if (prefixes_of_386 > 0 && cpu < Cpu::i386) return std::nullopt;
   const Cell cell = cell_of(cpu, execution);
-  if (cell.is_absent()) return std::nullopt;
+  if (cell.max == 0) return std::nullopt;
   // A 486 takes one clock per prefix, unless the previous instruction hides it. A 386 takes none.
   if (cpu != Cpu::i486) return Range{cell.min, cell.max};
   // Scaling an index register may take one more clock.

@@ -51,8 +51,8 @@ struct Execution {
   std::uint32_t operand = 0;
 };
 
-/// @return nothing if `cpu` has no such instruction, or if no routine or loop that it can run uses
-/// this form (a register and a memory operand are one form)
+/// @return nothing if `cpu` has no such instruction, or if there is no figure for the form; of the
+/// multiplies and divides, only those of the routines have one
 std::optional<Range> clocks(Cpu cpu, const Execution& execution);
 
 /// "8088", "286", "386" or "486".

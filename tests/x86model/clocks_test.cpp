@@ -215,13 +215,23 @@ TEST(Clocks, TheSourcesDifferOnSubtractAndXorFromMemoryOnA386) {
   EXPECT_EQ(clocks(Cpu::i386, {and_(ax, word[bx])}), exactly(6));
 }
 
-TEST(Clocks, FormsThatNoListingHasHaveNoEntry) {
+TEST(Clocks, MultipliesAndDividesThatNoListingHasHaveNoEntry) {
   for (const Cpu cpu : cpus) {
     EXPECT_EQ(clocks(cpu, {imul(bx)}), std::nullopt);
     EXPECT_EQ(clocks(cpu, {idiv(bx)}), std::nullopt);
     EXPECT_EQ(clocks(cpu, {div(word[bp + 4])}), std::nullopt);
-    EXPECT_EQ(clocks(cpu, {add(word[bp + 4], ax)}), std::nullopt);
   }
+}
+
+TEST(Clocks, OtherFormsThatNoListingHasAreInTheTable) {
+  constexpr std::array<Range, 4> add_to_memory = on(16 + 9 + 2 * 4, 7, 7, 3);
+  constexpr std::array<Range, 3> shift_of_286 = {exactly(5 + 4), exactly(3), exactly(2)};
+  for (std::size_t i = 0; i < cpus.size(); ++i) {
+    EXPECT_EQ(clocks(cpus.at(i), {add(word[bp + 4], ax)}), add_to_memory.at(i));
+    if (i == 0) continue;
+    EXPECT_EQ(clocks(cpus.at(i), {shl(ax, 4)}), shift_of_286.at(i - 1));
+  }
+  EXPECT_EQ(clocks(Cpu::i8088, {shl(ax, 4)}), std::nullopt);
 }
 
 TEST(Clocks, OtherFormsOfThe386) {

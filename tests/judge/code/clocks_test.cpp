@@ -170,7 +170,7 @@ TEST(JudgeClocks, AnExtensionDoesNotWriteTheStringRegisters) {
                 {{}, {}, 2 + 3 + 3 + 4 + 13, 1 + 1 + 3 + (1 + 1) + 5});
 }
 
-// The figures are those of the published tables in judge/code/clock_rows.hpp. RET: 20, 14, 13, 5.
+// The figures are those of the published tables in x86model/clock_rows.hpp. RET: 20, 14, 13, 5.
 TEST(JudgeClocks, TheSourcesDifferOnSubtractAndOrWithMemoryOnA386) {
   if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
   expect_clocks("push ax\nmov bp, sp\nnop\nsub ax, [bp+0]\nor [bp+0], bl\npop ax\nret",

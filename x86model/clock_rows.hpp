@@ -1,13 +1,23 @@
 /// @file
-/// The clocks of the instructions and transfers that no listing has, as tables.
+/// The clocks of instructions and transfers, one row for each form: those of the listings, and
+/// those that only other people's code has.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string_view>
 
-// Intel's figures, for the forms that x86model/clocks.cpp does not have. One reader wrote them from
-// memory. A second gathered published copies before seeing them, and compared row by row:
+#include "x86model/clocks.hpp"
+
+// The forms of the listings are from Intel's manuals:
+//   8088  iAPX 86,88 User's Manual (210200), table 2-21
+//   286   80286 Programmer's Reference Manual, appendix B
+//   386   80386 Programmer's Reference Manual (1986), chapter 17
+//   486   i486 Microprocessor Programmer's Reference Manual (1990), chapter 26 and appendix E
+// and the processor's data sheet, where a manual is known to be wrong or omits a form.
+//
+// The forms that only other code has: one reader wrote Intel's figures from memory. A second
+// gathered published copies before seeing them, and compared row by row:
 //   all   HelpPC 2.10 (D. Jurgens, 1991)
 //   8088  M. Abrash, Zen of Assembly Language (1989), appendix A
 //   286   the figures of Intel's manual in IBMulator's decoder/cycles.cpp
@@ -21,7 +31,7 @@
 // and STOS have one clock more in MAME alone, POPF on a 486 has 5 in 86Box alone, and HelpPC has
 // the figures of POPA for PUSHA on a 286 and a 386: these do not count.
 
-namespace fixproof::judge::figures {
+namespace x86model::figures {
 
 /// Clocks or their bounds, and what each bit of a shift count adds. A maximum of 0: there is none.
 struct Cell {
@@ -36,8 +46,8 @@ struct Cell {
 inline constexpr Cell no_figure{};
 constexpr Cell counted(std::uint32_t n, std::uint32_t each) { return {n, n, each}; }
 
-/// The forms that no listing has. The 8088 adds its address calculation and 4 clocks for each of
-/// `words` that go over the bus.
+/// One form, or several with the same figures. The 8088 adds its address calculation and 4 clocks
+/// for each of `words` that go over the bus.
 struct Row {
   std::string_view names;  ///< between blanks
   std::string_view shape;
@@ -60,6 +70,32 @@ inline constexpr std::string_view all_sizes = "bwd";
 
 inline constexpr std::array rows{
     // names, shape, sizes, 8088, words, 286, 386, 486
+    // The forms of the listings.
+    Row{" mov ", "rr", all_sizes, 2, 0, 2, 2, 1},
+    Row{" mov ", "rm", all_sizes, 8, 1, 5, 4, 1},
+    Row{" mov ", "mr", all_sizes, 9, 1, 3, 2, 1},
+    Row{" push ", "r", all_sizes, 11, 1, 3, 2, 1},
+    Row{" push ", "m", all_sizes, 16, 2, 5, 5, 4},
+    // The 486 manual says 4; its data sheet says 1 for the short form, which applies here.
+    Row{" pop ", "r", all_sizes, 8, 1, 5, 4, {1, 4}},
+    Row{arithmetic, "rr", all_sizes, 3, 0, 2, 2, 1},
+    Row{arithmetic, "ri", all_sizes, 4, 0, 3, 2, 1},
+    Row{add_or_and, "rm", all_sizes, 9, 1, 7, 6, 2},
+    // The 386 manual says 7 to a register and 6 to memory, the reverse of ADD and AND. Tables that
+    // do not follow it say 6 and 7 for all.
+    Row{subtract_or_xor, "rm", all_sizes, 9, 1, 7, {6, 7}, 2},
+    Row{" cmp ", "rr", all_sizes, 3, 0, 2, 2, 1},
+    Row{" cmp ", "ri", all_sizes, 4, 0, 3, 2, 1},
+    // CMP takes a clock less than ADD on a 286.
+    Row{" cmp ", "rm", all_sizes, 9, 1, 6, 6, 2},
+    Row{" neg not ", "r", all_sizes, 3, 0, 2, 2, 1},
+    Row{" neg not ", "m", all_sizes, 16, 2, 7, 6, 3},
+    Row{" inc dec ", "r", "wd", 2, 0, 2, 2, 1},
+    Row{shifts, "r1", all_sizes, 2, 0, 2, 3, 3},
+    Row{shifts, "ri", all_sizes, no_figure, 0, counted(5, 1), 3, 2},
+    Row{" shld shrd ", "rri", "wd", no_figure, 0, no_figure, 3, 2},
+    Row{" stosb stosw ", "", all_sizes, 11, 1, 3, 4, 5},
+    // Other forms.
     Row{" mov ", "ri", all_sizes, 4, 0, 2, 2, 1},
     Row{" mov ", "mi", all_sizes, 10, 1, 3, 2, 1},
     Row{" mov ", "sr", all_sizes, 2, 0, 2, 2, 3},
@@ -81,7 +117,6 @@ inline constexpr std::array rows{
     Row{shifts, "m1", all_sizes, 15, 2, 7, 7, 4},
     Row{shifts, "rc", all_sizes, counted(8, 4), 0, counted(5, 1), 3, 3},
     Row{shifts, "mc", all_sizes, counted(20, 4), 2, counted(8, 1), 7, 4},
-    Row{shifts, "ri", all_sizes, no_figure, 0, counted(5, 1), 3, 2},
     Row{shifts, "mi", all_sizes, no_figure, 0, counted(8, 1), 7, 4},
     Row{by_carry, "r1", all_sizes, 2, 0, 2, 9, 3},
     Row{by_carry, "m1", all_sizes, 15, 2, 7, 10, 4},
@@ -186,4 +221,26 @@ inline constexpr std::array not_taken{
     Transfer{" jcxz jecxz ", "i", 6, 4, 5, 5},
 };
 
-}  // namespace fixproof::judge::figures
+/// The row of a form. @param size b, w or d  @return null if there is none
+const Row* row_of(std::string_view mnemonic, std::string_view shape, char size);
+
+/// The row of a transfer; `jcc` is any jump by a condition. @return null if there is none
+const Transfer* transfer_of(std::string_view mnemonic, std::string_view shape, bool taken);
+
+/// The figure of a row for a processor.
+template <class T>
+constexpr auto column(Cpu cpu, const T& row) {
+  switch (cpu) {
+    case Cpu::i8088:
+      return row.i8088;
+    case Cpu::i286:
+      return row.i286;
+    case Cpu::i386:
+      return row.i386;
+    case Cpu::i486:
+      break;
+  }
+  return row.i486;
+}
+
+}  // namespace x86model::figures
