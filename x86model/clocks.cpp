@@ -180,14 +180,15 @@ Cell control_flow(Cpu cpu, const Execution& e) {
   const Mnemonic op = e.instruction.mnemonic;
   const bool is_loop = op == Mnemonic::loop;
   const bool is_conditional = detail::condition_of(op).has_value();
+  const bool taken = e.taken || !(is_conditional || is_loop);
   const auto* row =
-      figures::transfer_of(is_conditional ? "jcc" : name_of(op), shape_of(e.instruction), e.taken);
+      figures::transfer_of(is_conditional ? "jcc" : name_of(op), shape_of(e.instruction), taken);
   if (row == nullptr) return absent;
   const std::uint32_t clocks = figures::column(cpu, *row);
   // The next instruction's length counts after a taken jump, and after every LOOP of a 386.
   const Encoding next = e.next == nullptr ? caller_next : encoding_of(*e.next);
-  if (cpu == Cpu::i286 && e.taken) return clocks + static_cast<std::uint32_t>(next.bytes());
-  if (cpu == Cpu::i386 && (e.taken || is_loop)) {
+  if (cpu == Cpu::i286 && taken) return clocks + static_cast<std::uint32_t>(next.bytes());
+  if (cpu == Cpu::i386 && (taken || is_loop)) {
     return clocks + static_cast<std::uint32_t>(next.components());
   }
   return clocks;
