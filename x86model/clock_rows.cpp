@@ -23,12 +23,19 @@ const T* found_in(const std::array<T, n>& table, std::string_view mnemonic,
 
 }  // namespace
 
-const Row* row_of(std::string_view mnemonic, std::string_view shape, char size) {
-  const auto* found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
-    return has_name(row.names, mnemonic) && row.shape == shape &&
-           row.sizes.find(size) != std::string_view::npos;
+std::vector<const Row*> rows_of(std::string_view mnemonic) {
+  std::vector<const Row*> found;
+  for (const Row& row : rows) {
+    if (has_name(row.names, mnemonic)) found.push_back(&row);
+  }
+  return found;
+}
+
+const Row* row_of(std::span<const Row* const> candidates, std::string_view shape, char size) {
+  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const Row* row) {
+    return row->shape == shape && row->sizes.find(size) != std::string_view::npos;
   });
-  return found == rows.end() ? nullptr : found;
+  return found == candidates.end() ? nullptr : *found;
 }
 
 const Transfer* transfer_of(std::string_view mnemonic, std::string_view shape, bool taken) {

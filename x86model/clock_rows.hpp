@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "x86model/clocks.hpp"
 
@@ -221,8 +223,11 @@ inline constexpr std::array not_taken{
     Transfer{" jcxz jecxz ", "i", 6, 4, 5, 5},
 };
 
-/// The row of a form. @param size b, w or d  @return null if there is none
-const Row* row_of(std::string_view mnemonic, std::string_view shape, char size);
+/// The rows of an instruction.
+std::vector<const Row*> rows_of(std::string_view mnemonic);
+
+/// The one of these rows for a form. @param size b, w or d  @return null if there is none
+const Row* row_of(std::span<const Row* const> candidates, std::string_view shape, char size);
 
 /// The row of a transfer; `jcc` is any jump by a condition. @return null if there is none
 const Transfer* transfer_of(std::string_view mnemonic, std::string_view shape, bool taken);

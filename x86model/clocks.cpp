@@ -194,10 +194,22 @@ Cell control_flow(Cpu cpu, const Execution& e) {
   return clocks;
 }
 
+/// Found once, because profiles of scenes time many millions of instructions.
+std::span<const figures::Row* const> rows_of(Mnemonic mnemonic) {
+  static const auto all = [] {
+    std::array<std::vector<const figures::Row*>, mnemonic_count> rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows.at(i) = figures::rows_of(name_of(static_cast<Mnemonic>(i)));
+    }
+    return rows;
+  }();
+  return all.at(static_cast<std::size_t>(mnemonic));
+}
+
 Cell look_up(Cpu cpu, const Instruction& i) {
   const Size operands = i.operands[0].size;
   const char size = operands == Size::byte ? 'b' : operands == Size::dword ? 'd' : 'w';
-  const auto* row = figures::row_of(name_of(i.mnemonic), shape_of(i), size);
+  const auto* row = figures::row_of(rows_of(i.mnemonic), shape_of(i), size);
   if (row == nullptr) return absent;
   const Cell cell = figures::column(cpu, *row);
   if (cell.max == 0) return absent;

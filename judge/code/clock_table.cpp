@@ -114,7 +114,7 @@ std::optional<Range> operand_clocks(Cpu cpu, const TimedStep& step) {
 std::optional<Range> row_clocks(Cpu cpu, const TimedStep& step) {
   const TimedLine& line = *step.line;
   const char size = line.bits == 8 ? 'b' : line.bits == 32 ? 'd' : 'w';
-  const auto* row = figures::row_of(line.mnemonic, line.shape, size);
+  const auto* row = figures::row_of(figures::rows_of(line.mnemonic), line.shape, size);
   if (row == nullptr) return std::nullopt;
   const figures::Cell cell = figures::column(cpu, *row);
   if (cell.max == 0) return std::nullopt;
