@@ -238,7 +238,8 @@ std::vector<Contender> contenders() {
     all.push_back({name + "/double", exact_word, operands, by_double_of_three(of_doubles), 1});
   };
   const Exact exact_mul_div = [](std::int32_t x, std::int32_t y, std::int32_t z) {
-    return word_of(oracle::fast::product_quotient(bits(x), bits(y), bits(z), format));
+    return word_of(oracle::fast::product_quotient(bits(x), bits(y), bits(z),
+                                                  oracle::Rounding::half_up, format));
   };
   add_of_three(
       exact_mul_div, Operands::quotients, "mul_div",
