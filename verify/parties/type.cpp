@@ -1,5 +1,4 @@
 // The production type, under the policy that must be bit-identical to the variant.
-#include <array>
 #include <span>
 
 #include "fixed/fixed.hpp"
