@@ -6,7 +6,6 @@
 #include <variant>
 
 #include "fuzz/words.hpp"
-#include "support/usage_error.hpp"
 #include "verify/cases/draw.hpp"
 #include "verify/cases/stream_makers.hpp"
 #include "verify/cases/streams.hpp"
@@ -89,16 +88,12 @@ void draw_register(StepCase& step, cases::Draw& draw) {
 
 }  // namespace
 
-std::optional<singlestep::Decoded> StepCase::decoded() const {
-  try {
-    const bool i386 = cpu == x86::Target::i386;
-    const auto result = singlestep::decode(code, i386 ? x86::Cpu::i386 : x86::Cpu::i8088);
-    const auto* whole = std::get_if<singlestep::Decoded>(&result);
-    if (whole != nullptr && !uses_memory(whole->instruction)) return *whole;
-  } catch (const support::UsageError&) {
-    // The bytes end inside the instruction.
-  }
-  return std::nullopt;
+std::optional<x86::Decoded> StepCase::decoded() const {
+  const bool i386 = cpu == x86::Target::i386;
+  const auto result = x86::decode(code, i386 ? x86::Cpu::i386 : x86::Cpu::i8088);
+  const auto* whole = std::get_if<x86::Decoded>(&result);
+  if (whole == nullptr || uses_memory(whole->instruction)) return std::nullopt;
+  return *whole;
 }
 
 std::string StepCase::replay(const x86::Instruction& instruction) const {

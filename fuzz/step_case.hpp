@@ -10,8 +10,8 @@
 #include <span>
 #include <string>
 
-#include "verify/singlestep/decode.hpp"
 #include "verify/singlestep/step_machine.hpp"
+#include "x86model/decode.hpp"
 #include "x86model/routine.hpp"
 
 namespace fixproof::fuzz {
@@ -28,7 +28,7 @@ struct StepCase {
   singlestep::StepMachine machine;
 
   /// The decoded instruction; nothing if it is invalid, not modelled, uses memory or jumps.
-  [[nodiscard]] std::optional<singlestep::Decoded> decoded() const;
+  [[nodiscard]] std::optional<x86model::Decoded> decoded() const;
   /// The `fixproof step` command line that executes `instruction` on this machine.
   [[nodiscard]] std::string replay(const x86model::Instruction& instruction) const;
 };

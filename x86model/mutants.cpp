@@ -4,28 +4,12 @@
 #include <utility>
 
 #include "x86model/execute.hpp"
+#include "x86model/instruction_table.hpp"
 #include "x86model/text.hpp"
 
 namespace x86model {
 
 namespace {
-
-/// The replacements for each mnemonic, with the same operands.
-constexpr auto confusable = [] {
-  using enum Mnemonic;
-  return std::to_array<std::pair<Mnemonic, Mnemonic>>({
-      {mov, add},     {push, pop},    {pop, push},  {add, adc},  {add, sub},  {add, and_},
-      {adc, add},     {adc, sbb},     {sub, sbb},   {sub, add},  {sub, cmp},  {sbb, sub},
-      {sbb, adc},     {cmp, sub},     {cmp, add},   {cmp, and_}, {neg, inc},  {neg, dec},
-      {inc, dec},     {inc, neg},     {dec, inc},   {dec, neg},  {mul, imul}, {mul, div},
-      {imul, mul},    {imul, idiv},   {div, idiv},  {div, mul},  {idiv, div}, {idiv, imul},
-      {and_, xor_},   {and_, add},    {xor_, and_}, {xor_, add}, {shl, shr},  {shl, rol},
-      {shr, sar},     {shr, shl},     {sar, shr},   {sar, shl},  {rol, shl},  {rol, shr},
-      {shld, shrd},   {shrd, shld},   {js, jns},    {jns, js},   {jz, js},    {jz, jns},
-      {ja, jg},       {jg, ja},       {jg, jns},    {jnz, jz},   {jnz, loop}, {loop, jnz},
-      {stosb, stosw}, {stosw, stosb},
-  });
-}();
 
 /// The next byte register; AH follows DH and BH.
 Register next_byte(Register r) {
@@ -159,9 +143,9 @@ class MutantBuilder {
   }
 
   void mnemonics(std::size_t at) {
-    for (const auto& [right, wrong] : confusable) {
-      Instruction by = sound_.code.at(at);
-      if (by.mnemonic != right) continue;
+    Instruction by = sound_.code.at(at);
+    const auto& row = mnemonic_rows.at(static_cast<std::size_t>(by.mnemonic));
+    for (const Mnemonic wrong : row.confused_with) {
       by.mnemonic = wrong;
       replace(at, by);
     }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "x86model/cosine_table.hpp"
+#include "x86model/instruction_table.hpp"
 #include "x86model/machine.hpp"
 #include "x86model/originals.hpp"
 
@@ -14,11 +15,6 @@ namespace {
 
 constexpr std::array<std::string_view, register_count> dword_names{"eax", "ecx", "edx", "ebx",
                                                                    "esp", "ebp", "esi", "edi"};
-
-constexpr std::array<std::string_view, mnemonic_count> mnemonics{
-    "mov",   "push", "pop",  "add", "adc", "sub", "sbb", "cmp", "neg",  "inc",  "dec",  "mul",
-    "imul",  "div",  "idiv", "and", "xor", "shl", "shr", "sar", "rol",  "shld", "shrd", "stosb",
-    "stosw", "jmp",  "js",   "jns", "jz",  "jnz", "ja",  "jg",  "loop", "call", "ret"};
 
 constexpr std::array<std::string_view, register_count> byte_names{"al", "cl", "dl", "bl",
                                                                   "ah", "ch", "dh", "bh"};
@@ -107,11 +103,11 @@ std::string_view name_of(Register r, Size size) {
   return size == Size::word ? name.substr(1) : name;
 }
 
-std::string_view name_of(Mnemonic m) { return mnemonics.at(static_cast<std::size_t>(m)); }
+std::string_view name_of(Mnemonic m) { return mnemonic_rows.at(static_cast<std::size_t>(m)).name; }
 
 std::optional<Mnemonic> mnemonic_named(std::string_view name) {
-  for (std::size_t i = 0; i < mnemonic_count; ++i) {
-    if (name_of(static_cast<Mnemonic>(i)) == name) return static_cast<Mnemonic>(i);
+  for (const MnemonicRow& row : mnemonic_rows) {
+    if (row.name == name) return row.mnemonic;
   }
   return std::nullopt;
 }

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 
 #include "support/usage_error.hpp"
 #include "verify/singlestep/capture_memory.hpp"
 #include "verify/singlestep/shown.hpp"
+#include "x86model/decode.hpp"
 #include "x86model/run.hpp"
 
 namespace fixproof::singlestep {
@@ -162,12 +164,34 @@ std::uint32_t other_flags(const Case& c, Cpu cpu) {
   return c.initial[Place::flags] & (cpu == Cpu::i286 ? kept & 0xFFFU : kept);
 }
 
+/// @throws UsageError if the bytes end inside the instruction
+Skip skip_for(x86::Undecoded reason) {
+  switch (reason) {
+    case x86::Undecoded::prefix:
+      return Skip::prefix;
+    case x86::Undecoded::form:
+      return Skip::form;
+    case x86::Undecoded::addressing:
+      return Skip::addressing;
+    case x86::Undecoded::cut_off:
+      break;
+  }
+  throw support::UsageError("bytes end before the instruction does");
+}
+
 }  // namespace
 
+std::string_view name_of(Skip reason) {
+  static constexpr std::array<std::string_view, skip_count> names{
+      "prefix in no listing", "form in no listing", "addressing in no listing",
+      "direction flag set", "end of a segment"};
+  return names.at(static_cast<std::size_t>(reason));
+}
+
 std::variant<Differences, Skip> judge(const Case& c, Cpu cpu) {
-  const auto decoded = decode(c.bytes, cpu);
-  if (const Skip* reason = std::get_if<Skip>(&decoded)) return *reason;
-  const auto& [instruction, length] = std::get<Decoded>(decoded);
+  const auto decoded = x86::decode(c.bytes, cpu);
+  if (const auto* reason = std::get_if<x86::Undecoded>(&decoded)) return skip_for(*reason);
+  const auto& [instruction, length] = std::get<x86::Decoded>(decoded);
   check_length(c, cpu, length);
   if (x86::detail::is_store_string(instruction.mnemonic) &&
       (c.initial[Place::flags] & direction_flag) != 0) {

@@ -2,14 +2,28 @@
 /// Compares the model with one captured case.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
-#include "verify/singlestep/decode.hpp"
 #include "verify/singlestep/read.hpp"
+#include "x86model/clocks.hpp"
 
 namespace fixproof::singlestep {
+
+/// Reasons to skip a case. The first three are those of x86model::Undecoded.
+enum class Skip : std::uint8_t {
+  prefix,
+  form,
+  addressing,
+  direction,    ///< STOSB or STOSW with the direction flag set
+  segment_end,  ///< an operand that crosses the end of its segment, a fault since the 286
+};
+inline constexpr std::size_t skip_count = 5;
+
+std::string_view name_of(Skip reason);
 
 /// One entry per difference, such as `ax: model 0001, file 0002` or
 /// `memory 1f0a2: model 00, file 80`; empty if model and case agree.
