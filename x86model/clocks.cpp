@@ -19,19 +19,6 @@ namespace {
 using figures::Cell;
 constexpr Cell absent = figures::no_figure;
 
-/// The operands as the rows name them; `1` is a shift count of one.
-std::string shape_of(const Instruction& i) {
-  std::string shape;
-  for (const Operand& o : i.operands) {
-    if (o.kind == Operand::Kind::reg) shape += 'r';
-    if (o.kind == Operand::Kind::memory) shape += 'm';
-    if (o.kind == Operand::Kind::immediate || o.kind == Operand::Kind::label) shape += 'i';
-  }
-  const bool by_one = detail::is_shift(i.mnemonic) && encoding_of(i).immediate == 0;
-  if (by_one) shape.back() = '1';
-  return shape;
-}
-
 bool reads_or_writes_memory(const Instruction& i) {
   return std::any_of(i.operands.begin(), i.operands.end(),
                      [](const Operand& o) { return o.kind == Operand::Kind::memory; });
@@ -286,6 +273,18 @@ std::optional<Range> clocks(Cpu cpu, const Execution& execution) {
   });
   return Range{cell.min, cell.max + static_cast<std::uint32_t>(prefixes) + (scales ? 1U : 0U)} +
          address_wait(execution);
+}
+
+std::string shape_of(const Instruction& i) {
+  std::string shape;
+  for (const Operand& o : i.operands) {
+    if (o.kind == Operand::Kind::reg) shape += 'r';
+    if (o.kind == Operand::Kind::memory) shape += 'm';
+    if (o.kind == Operand::Kind::immediate || o.kind == Operand::Kind::label) shape += 'i';
+  }
+  const bool by_one = detail::is_shift(i.mnemonic) && encoding_of(i).immediate == 0;
+  if (by_one) shape.back() = '1';
+  return shape;
 }
 
 std::string_view name_of(Cpu cpu) {

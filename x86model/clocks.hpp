@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "x86model/instruction.hpp"
@@ -54,6 +55,10 @@ struct Execution {
 /// @return nothing if `cpu` has no such instruction, or if there is no figure for the form; of the
 /// multiplies and divides, only those of the routines have one
 std::optional<Range> clocks(Cpu cpu, const Execution& execution);
+
+/// The operands as the rows of clock_rows.hpp name them, a letter each: `r` register, `m` memory,
+/// `i` immediate or label, `1` a shift count of one.
+std::string shape_of(const Instruction& instruction);
 
 /// "8088", "286", "386" or "486".
 std::string_view name_of(Cpu cpu);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "x86model/instruction_table.hpp"
 #include "x86model/machine.hpp"
 
 namespace x86model {
@@ -16,50 +15,6 @@ bool is_indexed(const Operand& o) {
 }
 
 std::int32_t value_of(const Operand& o) { return static_cast<std::int32_t>(immediate<16>(o)); }
-
-/// Whether an encoding has these operands.
-bool fits(Encoded encoded, const Instruction& i) {
-  using Kind = Operand::Kind;
-  const auto& [a, b, c] = i.operands;
-  const bool a_is_rm = a.kind == Kind::reg || a.kind == Kind::memory;
-  const bool a_is_accumulator = a.kind == Kind::reg && a.reg == Register::ax;
-  const bool b_is_immediate = b.kind == Kind::immediate;
-  const bool is_near = a.size == Size::word || i.mnemonic == Mnemonic::call;
-  switch (encoded) {
-    case Encoded::nothing:
-      return a.kind == Kind::none;
-    case Encoded::rm_r:
-      return a_is_rm && b.kind == Kind::reg;
-    case Encoded::r_rm:
-      return a.kind == Kind::reg && b.kind == Kind::memory;
-    case Encoded::rm_r_count:
-      return a_is_rm && c.kind == Kind::immediate;
-    case Encoded::rm:
-      return a_is_rm && b.kind == Kind::none;
-    case Encoded::rm_of_words:
-      return a_is_rm && b.kind == Kind::none && a.size != Size::byte;
-    case Encoded::rm_1:
-      return a_is_rm && b_is_immediate && value_of(b) == 1;
-    case Encoded::rm_count:
-    case Encoded::rm_imm:
-      return a_is_rm && b_is_immediate;
-    case Encoded::rm_imm8:
-      return a_is_rm && b_is_immediate && a.size != Size::byte && fits_byte(value_of(b));
-    case Encoded::a_imm:
-      return a_is_accumulator && b_is_immediate;
-    case Encoded::a_offset:
-      return a_is_accumulator && b.addressing == Addressing::direct;
-    case Encoded::offset_a:
-      return b.kind == Kind::reg && b.reg == Register::ax && a.addressing == Addressing::direct;
-    case Encoded::r:
-      return a.kind == Kind::reg && a.size != Size::byte;
-    case Encoded::rel8:
-      return a.kind == Kind::label && !is_near;
-    case Encoded::rel16:
-      return a.kind == Kind::label && is_near;
-  }
-  return false;
-}
 
 int displacement_bytes(const Operand& o) {
   if (is_indexed(o)) return 4;
@@ -105,6 +60,49 @@ Encoding encoding_by(const EncodingRow& row, const Instruction& i) {
 }
 
 }  // namespace
+
+bool fits(Encoded encoded, const Instruction& i) {
+  using Kind = Operand::Kind;
+  const auto& [a, b, c] = i.operands;
+  const bool a_is_rm = a.kind == Kind::reg || a.kind == Kind::memory;
+  const bool a_is_accumulator = a.kind == Kind::reg && a.reg == Register::ax;
+  const bool b_is_immediate = b.kind == Kind::immediate;
+  const bool is_near = a.size == Size::word || i.mnemonic == Mnemonic::call;
+  switch (encoded) {
+    case Encoded::nothing:
+      return a.kind == Kind::none;
+    case Encoded::rm_r:
+      return a_is_rm && b.kind == Kind::reg;
+    case Encoded::r_rm:
+      return a.kind == Kind::reg && (b.kind == Kind::reg || b.kind == Kind::memory);
+    case Encoded::rm_r_count:
+      return a_is_rm && c.kind == Kind::immediate;
+    case Encoded::rm:
+      return a_is_rm && b.kind == Kind::none;
+    case Encoded::rm_of_words:
+      return a_is_rm && b.kind == Kind::none && a.size != Size::byte;
+    case Encoded::rm_1:
+      return a_is_rm && b_is_immediate && value_of(b) == 1;
+    case Encoded::rm_count:
+    case Encoded::rm_imm:
+      return a_is_rm && b_is_immediate;
+    case Encoded::rm_imm8:
+      return a_is_rm && b_is_immediate && a.size != Size::byte && fits_byte(value_of(b));
+    case Encoded::a_imm:
+      return a_is_accumulator && b_is_immediate;
+    case Encoded::a_offset:
+      return a_is_accumulator && b.addressing == Addressing::direct;
+    case Encoded::offset_a:
+      return b.kind == Kind::reg && b.reg == Register::ax && a.addressing == Addressing::direct;
+    case Encoded::r:
+      return a.kind == Kind::reg && a.size != Size::byte;
+    case Encoded::rel8:
+      return a.kind == Kind::label && !is_near;
+    case Encoded::rel16:
+      return a.kind == Kind::label && is_near;
+  }
+  return false;
+}
 
 bool overrides_segment(const Instruction& instruction) {
   const auto& all = instruction.operands;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "x86model/instruction.hpp"
+#include "x86model/instruction_table.hpp"
 
 namespace x86model {
 
@@ -31,6 +32,9 @@ struct Encoding {
 /// The shortest encoding at full width, which assemblers choose. A jump is short unless the listing
 /// calls it near.
 Encoding encoding_of(const Instruction& instruction);
+
+/// Whether an encoding has the operands of this instruction.
+bool fits(Encoded encoded, const Instruction& instruction);
 
 /// Whether a memory operand has a segment override prefix.
 bool overrides_segment(const Instruction& instruction);

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
-#include "x86model/execute.hpp"
+#include "x86model/machine.hpp"
+#include "x86model/run.hpp"
 #include "x86model/text.hpp"
 
 namespace x86model {
@@ -60,14 +63,19 @@ std::vector<Instruction> instructions_of(Target target) {
   return all;
 }
 
-/// The forms of these instructions and of the loops, sorted and without duplicates.
-std::vector<Form> forms_of(Target target) {
+/// The same with those of the loops.
+std::vector<Instruction> all_instructions_of(Target target) {
   std::vector<Instruction> all = instructions_of(target);
   for (const LoopForm& form : all_loop_forms()) {
     if (form.target == target) append(all, assemble(listing(form), {}));
   }
+  return all;
+}
+
+/// Their forms, sorted and without duplicates.
+std::vector<Form> forms_of(Target target) {
   std::vector<Form> forms;
-  for (const Instruction& i : all) forms.push_back(form_of(i));
+  for (const Instruction& i : all_instructions_of(target)) forms.push_back(form_of(i));
   std::sort(forms.begin(), forms.end());
   forms.erase(std::unique(forms.begin(), forms.end()), forms.end());
   return forms;
@@ -104,6 +112,47 @@ std::vector<std::string> form_texts(Target target) {
   std::set<std::string> texts;
   for (const Instruction& i : instructions_of(target)) texts.insert(form_text(i));
   return {texts.begin(), texts.end()};
+}
+
+std::vector<Instruction> form_examples() {
+  using Kinds = std::array<Operand::Kind, 3>;
+  std::map<std::pair<Form, Kinds>, Instruction> examples;
+  for (const Target target : {Target::i8088, Target::i386}) {
+    for (const Instruction& i : all_instructions_of(target)) {
+      const auto& [a, b, c] = i.operands;
+      examples.try_emplace({form_of(i), Kinds{a.kind, b.kind, c.kind}}, i);
+    }
+  }
+  std::vector<Instruction> result;
+  for (const auto& [form, example] : examples) result.push_back(example);
+  return result;
+}
+
+FlagUse flag_use(const Instruction& instruction) {
+  const Mnemonic op = instruction.mnemonic;
+  FlagUse use;
+  if (detail::adds_carry(op)) use.reads = CF;
+  if (const auto condition = detail::condition_of(op)) use.reads = alu::flags_read(*condition);
+  if (is_control_flow(op)) return use;
+  Instruction on_registers = instruction;
+  for (Operand& o : on_registers.operands) {
+    if (o.kind == Operand::Kind::memory) o = {.kind = Operand::Kind::reg, .size = o.size};
+  }
+  // Once with all flags undefined but those that it reads, once with all defined. With 0 in (E)DX
+  // and 1 elsewhere no divide by another register faults.
+  Machine<16, WordMemory<16, 1>> unknown{};
+  for (std::size_t r = 0; r < register_count; ++r) {
+    const auto reg = static_cast<Register>(r);
+    unknown.write(reg, Size::dword, reg == Register::dx ? 0 : 1);
+  }
+  auto known = unknown;
+  unknown.flags.undefined &= static_cast<std::uint16_t>(~use.reads);
+  known.flags = {};
+  execute_any(on_registers, unknown);
+  execute_any(on_registers, known);
+  use.sets = arithmetic_flags & static_cast<std::uint16_t>(~unknown.flags.undefined);
+  use.leaves_undefined = known.flags.undefined;
+  return use;
 }
 
 }  // namespace x86model
