@@ -66,8 +66,6 @@ inline constexpr std::string_view add_or_and = " add adc and ";
 inline constexpr std::string_view subtract_or_xor = " sub sbb or xor ";
 inline constexpr std::string_view shifts = " shl shr sar rol ror ";
 inline constexpr std::string_view by_carry = " rcl rcr ";
-inline constexpr std::string_view set_by_condition =
-    " seto setno setc setnc setz setnz setna seta sets setns setpe setpo setl setnl setng setg ";
 inline constexpr std::string_view all_sizes = "bwd";
 
 inline constexpr std::array rows{
@@ -157,18 +155,18 @@ inline constexpr std::array rows{
     Row{" movsd ", "", all_sizes, no_figure, 0, no_figure, 7, 7},
     Row{" cmpsd ", "", all_sizes, no_figure, 0, no_figure, 10, 8},
     Row{" scasd ", "", all_sizes, no_figure, 0, no_figure, 7, 6},
-    Row{" xlatb ", "", all_sizes, 11, 0, 5, 5, 4},
-    Row{" pushf pushfd pushfw ", "", all_sizes, 10, 1, 3, 4, 4},
-    Row{" popf popfd popfw ", "", all_sizes, 8, 1, 5, 5, 9},
-    Row{" pusha pushad pushaw ", "", all_sizes, no_figure, 0, 17, 18, 11},
-    Row{" popa popad popaw ", "", all_sizes, no_figure, 0, 19, 24, 9},
+    Row{" xlat ", "", all_sizes, 11, 0, 5, 5, 4},
+    Row{" pushf pushfd ", "", all_sizes, 10, 1, 3, 4, 4},
+    Row{" popf popfd ", "", all_sizes, 8, 1, 5, 5, 9},
+    Row{" pusha pushad ", "", all_sizes, no_figure, 0, 17, 18, 11},
+    Row{" popa popad ", "", all_sizes, no_figure, 0, 19, 24, 9},
     Row{" aam ", "", all_sizes, 83, 0, 16, 17, 15},
     Row{" aad ", "", all_sizes, 60, 0, 14, 19, 14},
     // On a 486, HelpPC and MAME have 3 for a register and 4 for memory, 86Box 3 for both, and
     // Tsugaru
     // 4 for both if the condition holds, else 3.
-    Row{set_by_condition, "r", "b", no_figure, 0, no_figure, 4, {3, 4}},
-    Row{set_by_condition, "m", all_sizes, no_figure, 0, no_figure, 5, {3, 4}},
+    Row{" setcc ", "r", "b", no_figure, 0, no_figure, 4, {3, 4}},
+    Row{" setcc ", "m", all_sizes, no_figure, 0, no_figure, 5, {3, 4}},
     Row{" mul ", "r", "b", {70, 77}, 0, 13, {9, 14}, {13, 18}},
     Row{" mul ", "m", "b", {76, 83}, 0, 16, {12, 17}, {13, 18}},
     Row{" mul ", "m", "w", {124, 139}, 1, 24, {12, 25}, {13, 26}},

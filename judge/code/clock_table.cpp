@@ -19,11 +19,16 @@ using x86model::Size;
 /// What follows the return to a caller: ADD SP,n with an 8-bit n.
 constexpr int caller_bytes = 3;
 
+/// The name that the rows have for it. Those of a condition are the same for all.
+std::string_view row_name(const TimedLine& line) {
+  if (is_conditional(line)) return "jcc";
+  return line.condition && line.mnemonic.starts_with("set") ? "setcc" : line.mnemonic;
+}
+
 std::optional<Range> transfer_clocks(Cpu cpu, const TimedStep& step) {
   const TimedLine& line = *step.line;
-  const bool conditional = is_conditional(line.mnemonic);
-  const std::string_view name = conditional ? "jcc" : std::string_view(line.mnemonic);
-  const bool passes = may_pass(line.mnemonic) && !step.taken;
+  const std::string_view name = row_name(line);
+  const bool passes = may_pass(line) && !step.taken;
   const auto* row = figures::transfer_of(name, line.shape, !passes);
   if (row == nullptr) return std::nullopt;
   std::uint32_t clocks = figures::column(cpu, *row);
@@ -80,13 +85,11 @@ std::uint32_t part(std::uint32_t value, int bits) {
   return bits == 32 ? value : value & ((1U << static_cast<unsigned>(bits)) - 1);
 }
 
-/// The register of a one-operand instruction, from the text.
+/// The operand of a one-operand instruction.
 std::uint32_t operand_value(const TimedStep& step) {
   const TimedLine& line = *step.line;
   if (line.shape == "m") return step.memory;
-  const auto operands = operands_of(line.line);
-  if (!operands || operands->size() != 1) return 0;
-  return step.registers.read(operands->front().reg);
+  return step.registers.read(line.operands.front().reg);
 }
 
 /// The multiplies and divides that the model times by their operands.
@@ -114,7 +117,7 @@ std::optional<Range> operand_clocks(Cpu cpu, const TimedStep& step) {
 std::optional<Range> row_clocks(Cpu cpu, const TimedStep& step) {
   const TimedLine& line = *step.line;
   const char size = line.bits == 8 ? 'b' : line.bits == 32 ? 'd' : 'w';
-  const auto* row = figures::row_of(figures::rows_of(line.mnemonic), line.shape, size);
+  const auto* row = figures::row_of(figures::rows_of(row_name(line)), line.shape, size);
   if (row == nullptr) return std::nullopt;
   const figures::Cell cell = figures::column(cpu, *row);
   if (cell.max == 0) return std::nullopt;

@@ -83,7 +83,8 @@ class Counter {
         std::span(memory).subspan(first, std::min<std::size_t>(step.bytes, memory.size() - first));
     Line line = listing_.at(step.at);
     line.bytes = step.bytes;
-    return lines_.emplace(step.at, timed_line(line, bytes, subject_.image.bits)).first->second;
+    return lines_.emplace(step.at, timed_line(line, decoded(bytes, step.at, subject_.image.bits)))
+        .first->second;
   }
 
   const Subject& subject_;

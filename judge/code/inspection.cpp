@@ -7,7 +7,6 @@
 
 #include "judge/check/cases.hpp"
 #include "judge/code/answering.hpp"
-#include "judge/code/flags.hpp"
 #include "support/usage_error.hpp"
 #include "verify/cases/words.hpp"
 #include "x86model/flags.hpp"
@@ -46,14 +45,20 @@ class Inspector {
     // A caller leaves unknown flags.
     unsigned undefined = x86model::arithmetic_flags;
     for (const Step& step : trace.steps) {
-      const Line& line = listing_.at(step.at);
-      const FlagEffects effects = flag_effects(line);
+      const FlagEffects effects = effects_at(step.at);
       if ((effects.reads & undefined) != 0 && !inspection_.undefined_flag) {
-        inspection_.undefined_flag = {
-            .operands = operands_, .line = line, .flags = effects.reads & undefined};
+        inspection_.undefined_flag = {.operands = operands_,
+                                      .line = listing_.at(step.at),
+                                      .flags = effects.reads & undefined};
       }
       undefined = (undefined & ~unsigned{effects.defines}) | effects.undefines;
     }
+  }
+
+  const FlagEffects& effects_at(std::uint32_t offset) {
+    const auto known = effects_.find(offset);
+    if (known != effects_.end()) return known->second;
+    return effects_.emplace(offset, listing_.decoded_at(offset).flags).first->second;
   }
 
   void look_at_memory(const Trace& trace) {
@@ -82,6 +87,7 @@ class Inspector {
 
   const Subject& subject_;
   Listing listing_;
+  std::map<std::uint32_t, FlagEffects> effects_;  // by offset
   Inspection inspection_;
   std::string operands_;
 };

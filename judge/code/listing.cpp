@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <set>
-#include <sstream>
-#include <string_view>
+#include <span>
 
 #include "judge/code/assemble.hpp"
 
@@ -35,32 +32,11 @@ const Line& Listing::at(std::uint32_t offset) {
   return lines_[offset];
 }
 
-std::string mnemonic_of(const Line& line) {
-  std::istringstream words(line.text);
-  std::string word;
-  constexpr std::array<std::string_view, 14> prefixes{"rep", "repe", "repne", "lock", "o16",
-                                                      "o32", "a16",  "a32",   "cs",   "ds",
-                                                      "es",  "ss",   "fs",    "gs"};
-  while (words >> word && std::find(prefixes.begin(), prefixes.end(), word) != prefixes.end()) {
-  }
-  return word;
-}
-
-std::uint32_t target_of(const Line& line) {
-  if (!is_jump(mnemonic_of(line))) return no_target;
-  const std::size_t hex = line.text.rfind(" 0x");
-  const bool in_memory = line.text.find('[') != std::string::npos;
-  const bool is_far = line.text.find(':') != std::string::npos;
-  if (hex == std::string::npos || in_memory || is_far) return no_target;
-  std::uint32_t target = no_target;
-  std::from_chars(line.text.data() + hex + 3, line.text.data() + line.text.size(), target, 16);
-  return target;
-}
-
-bool ends_flow(const Line& line) {
-  const std::string mnemonic = mnemonic_of(line);
-  return mnemonic == "jmp" || mnemonic.starts_with("ret") || mnemonic.starts_with("iret") ||
-         mnemonic == "hlt" || mnemonic == "db";
+Decoded Listing::decoded_at(std::uint32_t offset) const {
+  const std::size_t first = std::min<std::size_t>(image_.code_at(offset), image_.memory.size());
+  const std::size_t count =
+      std::min<std::size_t>(longest_instruction, image_.memory.size() - first);
+  return decoded(std::span(image_.memory).subspan(first, count), offset, image_.bits);
 }
 
 std::vector<Line> reachable(const Image& image, Listing& listing) {
@@ -72,8 +48,9 @@ std::vector<Line> reachable(const Image& image, Listing& listing) {
     while (image.code_at(at) >= image.first && image.code_at(at) < image.end &&
            !found.contains(at)) {
       const Line& line = found.try_emplace(at, listing.at(at)).first->second;
-      if (const std::uint32_t target = target_of(line); target != no_target) left.push_back(target);
-      if (ends_flow(line)) break;
+      const Decoded instruction = listing.decoded_at(at);
+      if (instruction.target) left.push_back(*instruction.target);
+      if (ends_flow(instruction)) break;
       at += line.bytes;
     }
   }
@@ -85,12 +62,13 @@ std::vector<Line> reachable(const Image& image, Listing& listing) {
 namespace {
 
 /// Returns the offsets of lines to which other lines jump.
-std::set<std::uint32_t> targets_among(const std::vector<Line>& lines) {
+std::set<std::uint32_t> targets_among(const std::vector<Line>& lines, const Listing& listing) {
   std::set<std::uint32_t> starts;
   std::set<std::uint32_t> targets;
   for (const Line& line : lines) starts.insert(line.at);
   for (const Line& line : lines) {
-    if (starts.contains(target_of(line))) targets.insert(target_of(line));
+    const auto target = listing.decoded_at(line.at).target;
+    if (target && starts.contains(*target)) targets.insert(*target);
   }
   return targets;
 }
@@ -109,7 +87,7 @@ std::string text_of_bytes(const Image& image, std::uint32_t at, std::uint32_t co
 std::string source_of(const Image& image) {
   Listing listing(image);
   const std::vector<Line> lines = reachable(image, listing);
-  const std::set<std::uint32_t> targets = targets_among(lines);
+  const std::set<std::uint32_t> targets = targets_among(lines, listing);
   const auto bytes_at = [&](std::uint32_t at, std::uint32_t count) {
     return text_of_bytes(image, at, count);
   };
@@ -118,9 +96,10 @@ std::string source_of(const Image& image) {
   std::vector<std::string> as_bytes;
   for (const Line& line : lines) {
     std::string text = line.text;
-    if (const std::uint32_t target = target_of(line); targets.contains(target)) {
+    const auto target = listing.decoded_at(line.at).target;
+    if (target && targets.contains(*target)) {
       text.resize(text.rfind(" 0x"));
-      text += fmt::format(" at_{:04x}", target);
+      text += fmt::format(" at_{:04x}", *target);
     }
     as_text.push_back(text);
     as_bytes.push_back(fmt::format("{:<40}; {}", bytes_at(line.at, line.bytes), line.text));

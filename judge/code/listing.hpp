@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/code/decoded.hpp"
 #include "judge/code/image.hpp"
 #include "judge/code/ndisasm.hpp"
 
@@ -21,20 +22,13 @@ class Listing {
   /// @throws support::UsageError if ndisasm cannot be run
   const Line& at(std::uint32_t offset);
 
+  /// Decodes the same instruction.
+  [[nodiscard]] Decoded decoded_at(std::uint32_t offset) const;
+
  private:
   const Image& image_;
   std::map<std::uint32_t, Line> lines_;
 };
-
-/// Returns the target of a near jump or call whose target is fixed, or `no_target` for any other
-/// instruction.
-inline constexpr std::uint32_t no_target = 0xFFFFFFFF;
-std::uint32_t target_of(const Line& line);
-/// Tells whether execution never goes on to the next instruction in memory: after JMP, a return,
-/// HLT or a byte that is no instruction.
-bool ends_flow(const Line& line);
-/// Returns the first word of the text after prefixes such as REP.
-std::string mnemonic_of(const Line& line);
 
 /// Returns the instructions that the image's entry can reach, in the order of their offsets. Does
 /// not follow targets in registers and memory.

@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
-#include <string_view>
 #include <utility>
 
-#include "judge/code/operand.hpp"
+#include "judge/code/decoded.hpp"
 #include "judge/code/symbolic_machine.hpp"
 #include "x86model/alu.hpp"
 #include "x86model/run.hpp"
@@ -40,18 +38,6 @@ struct Instruction {
 };
 
 constexpr const char* unknown_flag = "it reads a flag that is undefined or not modelled";
-
-/// The condition whose name a jump or a set instruction ends in.
-std::optional<alu::Condition> condition_named(std::string_view name) {
-  static const std::map<std::string_view, int> codes{
-      {"o", 0},   {"no", 1},  {"b", 2},   {"c", 2},  {"nae", 2}, {"ae", 3},   {"nb", 3},
-      {"nc", 3},  {"e", 4},   {"z", 4},   {"ne", 5}, {"nz", 5},  {"be", 6},   {"na", 6},
-      {"a", 7},   {"nbe", 7}, {"s", 8},   {"ns", 9}, {"l", 12},  {"nge", 12}, {"ge", 13},
-      {"nl", 13}, {"le", 14}, {"ng", 14}, {"g", 15}, {"nle", 15}};
-  const auto found = codes.find(name);
-  if (found == codes.end()) return std::nullopt;
-  return static_cast<alu::Condition>(found->second);
-}
 
 constexpr std::size_t max_paths = 200;
 constexpr std::size_t max_steps = 20'000;
@@ -127,8 +113,9 @@ class Explorer {
       if (linear < image_.first || linear >= image_.end) throw Obstacle("a path leaves the code");
       const Line& line = listing_.at(thread.at);
       try {
+        const Decoded code = listing_.decoded_at(thread.at);
         thread.at += line.bytes;
-        if (!step(thread, line)) throw Obstacle("this instruction is not modelled");
+        if (!step(thread, code)) throw Obstacle("this instruction is not modelled");
       } catch (const Obstacle& obstacle) {
         throw Obstacle(fmt::format("{} at {:04x}h: {}", line.text, line.at, obstacle.what()));
       }
@@ -165,14 +152,13 @@ class Explorer {
   }
 
   /// Executes one instruction. Returns false if it is not modelled.
-  bool step(Thread& thread, const Line& line) {
-    const std::string m = line.text.substr(0, line.text.find(' '));
-    const auto operands = operands_of(line);
-    if (!operands || operands->size() > 3) return false;
-    Instruction i{.count = operands->size()};
-    std::copy(operands->begin(), operands->end(), i.operands.begin());
+  bool step(Thread& thread, const Decoded& code) {
+    const std::string& m = code.mnemonic;
+    if (code.has_repeat || code.overrides_segment || code.operands.size() > 3) return false;
+    Instruction i{.count = code.operands.size()};
+    std::copy(code.operands.begin(), code.operands.end(), i.operands.begin());
     ImageMachine machine(image_, t_, thread.state);
-    if (i.count <= 1 && (m == "ret" || m == "retf")) {
+    if (m == "ret" || m == "retf") {
       const Term to = machine.pop(machine.word());
       if (!t_.is_constant(to)) return false;
       thread.at = static_cast<std::uint32_t>(t_.value(to));
@@ -180,11 +166,16 @@ class Explorer {
       if (i.count == 1) machine.move_stack(i.operands[0].value);
       return true;
     }
-    if (target_of(line) != no_target) return transferred(thread, machine, m, target_of(line));
-    const auto size = size_of(i, m);
-    if (!size) return false;
-    for (Operand& operand : i.operands) operand.size = *size;
-    const bool done = execute_shared(machine, m, i) || execute_users(machine, m, i, *size);
+    if (code.target) return transferred(thread, machine, code);
+    const Size size = size_of(i, m);
+    for (std::size_t n = 0; n < i.count; ++n) {
+      Operand& operand = i.operands.at(n);
+      if (operand.kind == Operand::Kind::other || operand.kind == Operand::Kind::segment) {
+        return false;
+      }
+      operand.size = size;
+    }
+    const bool done = execute_shared(machine, m, i) || execute_users(machine, code, i, size);
     if (machine.fault) {
       paths_.push_back(
           {.condition = t_.both(thread.condition, machine.fault->condition), .divide_error = true});
@@ -193,29 +184,22 @@ class Explorer {
     return done;
   }
 
-  /// The size of the operands: that of a register, or what the text says.
-  [[nodiscard]] std::optional<Size> size_of(const Instruction& i, const std::string& m) const {
-    if (i.count == 0) return image_.bits == 16 ? Size::word : Size::dword;
-    int bits = i.operands[0].bits;
-    for (std::size_t n = 0; n < i.count; ++n) {
-      const Operand& o = i.operands.at(n);
-      if (o.kind == Operand::Kind::reg && (n == 0 || bits == 0)) bits = bits_of(o.reg);
-    }
-    if (m == "push" && i.operands[0].kind == Operand::Kind::immediate) bits = image_.bits;
-    if (bits == 0) return std::nullopt;
+  /// The size of the operands: that of the first one, which an immediate does not have.
+  [[nodiscard]] Size size_of(const Instruction& i, const std::string& m) const {
+    const int bits = i.count == 0 || m == "push" ? image_.bits : i.operands[0].bits;
     return bits == 8 ? Size::byte : bits == 16 ? Size::word : Size::dword;
   }
 
   /// A jump or call with a fixed target.
-  bool transferred(Thread& thread, ImageMachine& machine, const std::string& m, std::uint32_t to) {
-    if (m == "call") machine.push(t_.constant(thread.at, machine.width()));
-    if (m == "call" || m == "jmp") {
+  bool transferred(Thread& thread, ImageMachine& machine, const Decoded& code) {
+    const std::uint32_t to = *code.target;
+    if (code.mnemonic == "call") machine.push(t_.constant(thread.at, machine.width()));
+    if (code.mnemonic == "call" || code.mnemonic == "jmp") {
       thread.at = to;
       return true;
     }
-    const auto condition = condition_named(m.substr(1));
-    if (!m.starts_with('j') || !condition) return false;
-    const Term taken = holds(machine, *condition);
+    if (!code.condition) return false;
+    const Term taken = holds(machine, *code.condition);
     if (t_.is_constant(taken)) {
       if (t_.value(taken) != 0) thread.at = to;
       return true;
@@ -239,7 +223,7 @@ class Explorer {
   /// The instructions that the listings use too.
   static bool execute_shared(ImageMachine& machine, const std::string& m, Instruction& i) {
     using x86model::Outcome;
-    const auto op = x86model::mnemonic_named(m == "sal" ? "shl" : m);
+    const auto op = x86model::mnemonic_named(m);
     if (!op || x86model::is_control_flow(*op)) return false;
     using namespace x86model::detail;
     if ((is_multiply(*op) || is_divide(*op)) &&
@@ -257,7 +241,8 @@ class Explorer {
   }
 
   /// The instructions that only users' code has.
-  bool execute_users(ImageMachine& machine, const std::string& m, const Instruction& i, Size size) {
+  bool execute_users(ImageMachine& machine, const Decoded& code, const Instruction& i, Size size) {
+    const std::string& m = code.mnemonic;
     const sym::Domain d = machine.domain();
     const int bits = ImageMachine::bits_of(size);
     const Operand& first = i.operands[0];
@@ -267,10 +252,8 @@ class Explorer {
       return term;
     };
     if (i.count == 0) return execute_without_operands(machine, m);
-    if (m.starts_with("set") && i.count == 1) {
-      const auto condition = condition_named(m.substr(3));
-      if (!condition) return false;
-      const Term truth = holds(machine, *condition);
+    if (code.condition && m.starts_with("set") && i.count == 1) {
+      const Term truth = holds(machine, *code.condition);
       return machine.write(first, size, t_.ite(truth, t_.constant(1, 8), t_.constant(0, 8)));
     }
     if (m == "not" && i.count == 1) {
@@ -295,8 +278,8 @@ class Explorer {
     }
     if (m == "movzx" || m == "movsx") {
       const Operand& from = i.operands[1];
-      const int given = from.kind == Operand::Kind::reg ? bits_of(from.reg) : from.bits;
-      if (given == 0 || given >= bits) return false;
+      const int given = from.bits;
+      if (given >= bits) return false;
       Term narrow;
       machine.read(from, given == 8 ? Size::byte : Size::word, narrow);
       return machine.write(

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "judge/code/operand.hpp"
+#include "judge/code/decoded.hpp"
 #include "x86model/symbolic/machine.hpp"
 
 namespace fixproof::judge {
@@ -99,7 +99,9 @@ class ImageMachine : public x86model::symbolic::Machine {
 
  private:
   [[nodiscard]] Operand top() const {
-    return {.kind = Operand::Kind::memory, .bases = {{x86model::Register::sp, word()}}};
+    return {.kind = Operand::Kind::memory,
+            .bases = {{x86model::Register::sp, word()}},
+            .address_bits = width()};
   }
 
   [[nodiscard]] Term byte_at(std::uint32_t address) const {
@@ -119,9 +121,7 @@ class ImageMachine : public x86model::symbolic::Machine {
 
   /// @throws Obstacle unless the address is a constant
   [[nodiscard]] std::uint32_t address_of(const Operand& o) const {
-    const int bits = !o.bases.empty()      ? judge::bits_of(o.bases.front())
-                     : o.address_bits != 0 ? o.address_bits
-                                           : width();
+    const int bits = o.address_bits;
     Term sum = t_.constant(o.value, bits);
     for (const RegisterName& base : o.bases) sum = t_.add(read(base.number, base.size), sum);
     if (!t_.is_constant(sum)) throw Obstacle("an address that depends on operands is not modelled");

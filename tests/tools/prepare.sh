@@ -9,8 +9,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 # shellcheck disable=SC2034  # used by the scripts that source this one
 llvm=14
 build_packages=(cmake ninja-build g++ libboost-dev libboost-filesystem-dev libcli11-dev libfmt-dev
-  nlohmann-json3-dev libpng-dev libsdl2-dev libssl-dev libtinyobjloader-dev zlib1g-dev nasm
-  libunicorn-dev z3 libfixmath-dev libfreetype-dev)
+  nlohmann-json3-dev libpng-dev libsdl2-dev libssl-dev libtinyobjloader-dev zlib1g-dev
+  libzydis-dev nasm libunicorn-dev z3 libfixmath-dev libfreetype-dev)
 test_packages=("${build_packages[@]}" ccache libgtest-dev librapidcheck-dev libbenchmark-dev libeigen3-dev
   libglm-dev libmpfr-dev gappa dosbox cvc5 python3-yaml)
 # shellcheck disable=SC2034  # used by ./test
