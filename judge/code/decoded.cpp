@@ -104,6 +104,8 @@ FlagEffects flag_effects(const ZydisDecodedInstruction& i, const Operands& opera
   const bool copies = i.mnemonic == ZYDIS_MNEMONIC_PUSHF || i.mnemonic == ZYDIS_MNEMONIC_PUSHFD ||
                       i.mnemonic == ZYDIS_MNEMONIC_LAHF;
   if (copies || i.meta.category == ZYDIS_CATEGORY_STRINGOP) effects.reads = 0;
+  // Zydis 4 has AF as undefined after SBB, unlike Intel's manual and itself after SUB.
+  if (i.mnemonic == ZYDIS_MNEMONIC_SBB) effects = {effects.reads, x86model::arithmetic_flags, 0};
   // Zydis has OF as undefined for all counts; Intel defines it for a count of one.
   const bool shifts =
       i.meta.category == ZYDIS_CATEGORY_SHIFT || i.meta.category == ZYDIS_CATEGORY_ROTATE;

@@ -50,7 +50,8 @@ std::vector<Line> reachable(const Image& image, Listing& listing) {
       const Line& line = found.try_emplace(at, listing.at(at)).first->second;
       const Decoded instruction = listing.decoded_at(at);
       if (instruction.target) left.push_back(*instruction.target);
-      if (ends_flow(instruction)) break;
+      // Zydis knows opcodes that NASM writes as bytes.
+      if (ends_flow(instruction) || line.text.starts_with("db ")) break;
       at += line.bytes;
     }
   }

@@ -114,7 +114,7 @@ class Explorer {
       const Line& line = listing_.at(thread.at);
       try {
         const Decoded code = listing_.decoded_at(thread.at);
-        thread.at += line.bytes;
+        thread.at += code.bytes;
         if (!step(thread, code)) throw Obstacle("this instruction is not modelled");
       } catch (const Obstacle& obstacle) {
         throw Obstacle(fmt::format("{} at {:04x}h: {}", line.text, line.at, obstacle.what()));
