@@ -77,11 +77,13 @@ const char* first_wrong(const Computing& by, std::int64_t a, std::int64_t b) {
   if (differs(Operator::plus, exact::in_range(type, x + y))) return "a + b";
   if (differs(Operator::minus, exact::in_range(type, x - y))) return "a - b";
   if (differs(Operator::negate, exact::in_range(type, -x))) return "-a";
-  if (differs(Operator::times, exact::result(type, {x * y, type.one()}))) return "a * b";
-  const auto quotient = exact::quotient(type, x, y);
+  if (differs(Operator::times, exact::result(type, {x * y, type.one}))) return "a * b";
+  const auto divided = exact::policy_quotient(type, x, y);
+  const auto quotient = exact::outcome_of_quotient(type, divided);
   if (differs(Operator::divide, quotient)) return "a / b";
   const auto tried = by.try_divide(a, b);
-  if (tried.has_value() == (quotient.throws || exact::no_quotient(type, x, y))) return "try_divide";
+  const bool fails = quotient.throws || divided.fault == exact::Fault::divide_error;
+  if (tried.has_value() == fails) return "try_divide";
   if (tried && *tried != quotient.raw) return "*try_divide";
   if (by.compute(Operator::compare, a, b) != compared(x, y)) return "a <=> b";
   return nullptr;

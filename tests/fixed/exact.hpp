@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <iomanip>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <random>
 #include <sstream>
@@ -22,36 +23,23 @@ namespace exact {
 /// x modulo 2^64. Boost's own conversion saturates on machines without 128-bit integers.
 inline std::int64_t low_word(integer x) { return static_cast<std::int64_t>(wrapped(x, 64)); }
 
-/// A signed number type at run time, so that what is expected of it is compiled once.
-struct Type {
-  int bits;
-  int fraction_bits;
-  fixproof::policy rules;
-
-  template <class Number>
-  static constexpr Type of() {
-    return {std::numeric_limits<typename Number::raw_type>::digits + 1, Number::fraction_bits,
-            Number::rules};
-  }
-  [[nodiscard]] integer one() const { return integer{1} << fraction_bits; }
-  [[nodiscard]] integer end() const { return integer{1} << (bits - 1); }
-  [[nodiscard]] bool fits(const integer& x) const { return x >= -end() && x < end(); }
-};
+using Type = NumberType<integer>;
 
 /// A stored integer or an exception.
 struct Outcome {
   bool throws = false;
   std::int64_t raw = 0;
 
+  static Outcome of(const std::optional<integer>& x) {
+    return {!x, x ? static_cast<std::int64_t>(*x) : 0};
+  }
   friend bool operator==(const Outcome&, const Outcome&) = default;
 };
 
 /// The outcome of an exact result under a policy.
 inline Outcome in_range(const Type& type, const integer& value) {
-  // Most results fit, and the remainder of a wrapped one is slow.
-  if (type.fits(value)) return {false, static_cast<std::int64_t>(value)};
-  if (type.rules.range == fixproof::overflow::trap) return {true, 0};
-  return {false, static_cast<std::int64_t>(narrowed(value, type.bits, type.rules.range))};
+  const fixproof::overflow rule = type.rules.range;
+  return Outcome::of(returned(type, narrowed(type, value, rule), rule));
 }
 
 /// x, in ulps, rounded by the policy's rule for products.
@@ -59,33 +47,12 @@ inline Outcome result(const Type& type, const fraction& x) {
   return in_range(type, round(x, type.rules.multiply));
 }
 
-/// What the policy divides by.
-inline integer divisor_of(const Type& type, const integer& d) {
-  return type.rules.divisor == fixproof::divisor_width::whole_part ? d / type.one() : d;
+/// The outcome of operator/ that has this result.
+inline Outcome outcome_of_quotient(const Type& type, const Result<integer>& result) {
+  return Outcome::of(returned(type, result, type.rules.quotient_range()));
 }
-
-/// Whether n / d is an error, by the definition of each divide_fault.
-inline bool no_quotient(const Type& type, const integer& n, const integer& d) {
-  const integer divisor = divisor_of(type, d);
-  return divisor == 0 || (type.rules.fault == fixproof::divide_fault::unsigned_quotient &&
-                          (n < 0 ? -n : n) / type.one() >= (divisor < 0 ? -divisor : divisor));
-}
-
-/// n / d by the definition of the policy. A zero divisor that is no error gives the end of the
-/// range.
 inline Outcome quotient(const Type& type, const integer& n, const integer& d) {
-  const fixproof::policy& rules = type.rules;
-  const integer divisor = divisor_of(type, d);
-  if (divisor == 0 && rules.fault == fixproof::divide_fault::none &&
-      rules.range != fixproof::overflow::trap) {
-    const integer infinite = n > 0 ? type.end() - 1 : n < 0 ? -type.end() : integer{0};
-    return {false, static_cast<std::int64_t>(infinite)};
-  }
-  if (no_quotient(type, n, d)) return {true, 0};
-  const bool is_whole = rules.divisor == fixproof::divisor_width::whole_part;
-  const integer value = round(ratio(is_whole ? n : n * type.one(), divisor), rules.divide);
-  if (rules.fault == fixproof::divide_fault::signed_quotient && !type.fits(value)) return {true, 0};
-  return in_range(type, value);
+  return outcome_of_quotient(type, policy_quotient(type, n, d));
 }
 
 /// The outcome of a call that returns a stored integer and may throw one of fixed's errors.
@@ -162,9 +129,9 @@ outcome<Number> run(const Call& call) {
 inline std::vector<std::int64_t> edges(const Type& type) {
   std::vector<std::int64_t> values;
   const auto add = [&](std::int64_t value) {
-    values.push_back(static_cast<std::int64_t>(wrapped(value, type.bits)));
+    values.push_back(static_cast<std::int64_t>(type.wrapped(value)));
   };
-  for (int bit = 0; bit < type.bits; ++bit) {
+  for (int bit = 0; bit < type.bits(); ++bit) {
     for (const int step : {-1, 0, 1}) {
       add((std::int64_t{1} << bit) + step);
       add(-(std::int64_t{1} << bit) + step);

@@ -133,12 +133,6 @@ std::vector<integer> edges(const IntegerType& type) {
   return values;
 }
 
-/// The quotient by the policy. Only 0 and -1 can leave the range.
-Outcome quotient_by_integer(const exact::Type& type, const integer& n, const integer& d) {
-  if (d == 0 || d == -1) return exact::quotient(type, n, d * type.one());
-  return exact::in_range(type, exact::round(exact::ratio(n, d), type.rules.divide));
-}
-
 /// x * 2^places toward -infinity.
 integer shifted(const integer& x, const integer& places) {
   const integer most = 64;  // which shifts all bits of x out of the range
@@ -155,7 +149,7 @@ const char* first_wrong(const exact::Type& type, const IntegerType& with, std::i
     return !(exact::outcome_of([&] { return with.compute(operation, a, word); }) == expected);
   };
   const integer x = a;
-  const integer y = b * type.one();
+  const integer y = b * type.one;
   const Outcome sum = exact::in_range(type, x + y);
   if (differs(Operator::plus, sum)) return "a + b";
   if (differs(Operator::plus_a, sum)) return "b + a";
@@ -164,7 +158,7 @@ const char* first_wrong(const exact::Type& type, const IntegerType& with, std::i
   const Outcome product = exact::in_range(type, x * b);
   if (differs(Operator::times, product)) return "a * b";
   if (differs(Operator::times_a, product)) return "b * a";
-  if (differs(Operator::divide, quotient_by_integer(type, x, b))) return "a / b";
+  if (differs(Operator::divide, exact::quotient(type, x, y))) return "a / b";
   if (differs(Operator::left, exact::in_range(type, shifted(x, b)))) return "a << b";
   if (differs(Operator::right, exact::in_range(type, shifted(x, -b)))) return "a >> b";
   const auto wrong =
@@ -192,8 +186,8 @@ TEST_OF_EACH(Integers, AssignAndCount, Mixed, mixed_types) {
   const Counts counts = type.count();
   const std::int64_t one = std::int64_t{1} << type.number.fraction_bits;
   EXPECT_EQ(counts.values, (std::array{4 * one, 4 * one, 6 * one, 6 * one, 4 * one}));
-  const std::int64_t highest = exact::low_word(type.number.end() - 1);
-  const Outcome expected = exact::in_range(type.number, highest + type.number.one());
+  const std::int64_t highest = exact::low_word(type.number.highest);
+  const Outcome expected = exact::in_range(type.number, highest + type.number.one);
   EXPECT_EQ(counts.beyond_highest, expected);
   EXPECT_EQ(counts.then, expected.throws ? highest : expected.raw);
 }

@@ -163,13 +163,10 @@ Expected expected(Op op, const Type& type, const integer& x, const integer& y, c
   if (op == Op::subtract) return forms(x - y);
   if (op == Op::multiply) return product(x * y);
   if (op == Op::mul_add) return product(x * y + z * type.one);
-  if (y == 0) {
-    const integer end = x == 0 ? integer(0) : x < 0 ? type.lowest : type.highest;
-    return {std::nullopt, end, end};
-  }
-  const integer n = y < 0 ? -x : x;
-  const integer d = y < 0 ? -y : y;
-  return forms(reference::round(n * type.one, d, type.rules.divide));
+  const Returned quotient = exact::unreduced_quotient<integer>(type, x, y, type.rules.divide);
+  if (quotient) return forms(*quotient);
+  const integer end = reference::quotient(type, x, y).raw;
+  return {std::nullopt, end, end};
 }
 
 Returned root_of(const Type& type, const integer& x) {

@@ -9,40 +9,10 @@ namespace reference {
 
 using fixproof::overflow;
 
-integer below(const integer& n, const integer& d) {
-  const integer quotient = n / d;
-  return quotient * d > n ? quotient - 1 : quotient;
-}
-
-integer round(const integer& n, const integer& d, fixproof::rounding rule) {
-  using fixproof::rounding;
-  const integer low = below(n, d);
-  const integer twice = 2 * (n - low * d);
-  if (twice == 0) return low;
-  if (rule == rounding::floor) return low;
-  if (rule == rounding::truncate) return n < 0 ? low + 1 : low;
-  if (twice != d) return twice < d ? low : low + 1;
-  const bool up = rule == rounding::half_up || (rule == rounding::half_away && n > 0) ||
-                  (rule == rounding::half_even && low % 2 != 0);
-  return up ? low + 1 : low;
-}
-
 integer root(const integer& n) {
   const integer r = floor_root(n);
   return n - r * r > r ? r + 1 : r;
 }
-
-Type::Type(std::size_t size_, bool is_signed_, int fraction_bits_, const fixproof::policy& rules_)
-    : size(size_),
-      is_signed(is_signed_),
-      fraction_bits(fraction_bits_),
-      rules(rules_),
-      one(power(2, fraction_bits)),
-      count(power(2, bits())),
-      lowest(is_signed ? -(count / 2) : integer(0)),
-      highest(lowest + count - 1) {}
-
-integer Type::wrapped(const integer& x) const { return x - count * below(x - lowest, count); }
 
 Word Type::word(std::uint64_t value) const {
   const int unused = 64 - bits();
@@ -63,47 +33,12 @@ std::ostream& operator<<(std::ostream& out, const Type& type) {
              << type.fraction_bits << " after the point";
 }
 
-Result narrowed(const Type& type, const integer& value, overflow rule) {
-  if (type.fits(value)) return {value};
-  if (rule == overflow::wrap) return {type.wrapped(value)};
-  if (rule == overflow::trap) return {type.wrapped(value), Fault::overflow};
-  return {value < 0 ? type.lowest : type.highest, Fault::overflow};
-}
-
 Result product(const Type& type, const integer& sum) {
   return narrowed(type, round(sum, type.one, type.rules.multiply), type.rules.product_range());
 }
 
-Result quotient(const Type& type, integer n, integer d) {
-  using fixproof::divide_fault;
-  if (type.rules.divisor == fixproof::divisor_width::whole_part) {
-    d /= type.one;
-  } else {
-    n *= type.one;
-  }
-  if (d == 0) {
-    const integer far = n < 0 ? -type.count : type.count;
-    return {n == 0 ? n : narrowed(type, far, overflow::saturate).raw, Fault::divide_error};
-  }
-  if (d < 0) {
-    n = -n;
-    d = -d;
-  }
-  const integer value = round(n, d, type.rules.divide);
-  Result result = narrowed(type, value, type.rules.quotient_range());
-  const divide_fault rule = type.rules.fault;
-  if ((rule == divide_fault::unsigned_quotient && (n < 0 ? -n : n) / d >= type.count) ||
-      (rule == divide_fault::signed_quotient && !type.fits(value))) {
-    result.fault = Fault::divide_error;
-  }
-  return result;
-}
-
-Returned returned(const Type& type, const Result& result, overflow rule) {
-  const bool is_divide_fault =
-      result.fault == Fault::divide_error && type.rules.fault != fixproof::divide_fault::none;
-  if (is_divide_fault || (result.fault != Fault::none && rule == overflow::trap)) return {};
-  return result.raw;
+Result quotient(const Type& type, const integer& n, const integer& d) {
+  return policy_quotient<integer>(type, n, d);
 }
 
 Returned in_range(const Type& type, const integer& value, overflow rule) {

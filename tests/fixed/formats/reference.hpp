@@ -14,15 +14,17 @@
 #include <vector>
 
 #include "fixed/error.hpp"
-#include "fixed/policy.hpp"
 #include "tests/fixed/formats/integer.hpp"
+#include "tests/support/number_rules.hpp"
 
 namespace reference {
 
-/// n / d rounded down. @pre d > 0
-integer below(const integer& n, const integer& d);
-/// n / d rounded by the rule. @pre d > 0
-integer round(const integer& n, const integer& d, fixproof::rounding rule);
+using exact::below;
+using exact::Fault;
+using exact::narrowed;
+using exact::returned;
+using exact::round;
+
 /// The nearest integer to sqrt(n). @pre n >= 0
 integer root(const integer& n);
 
@@ -38,25 +40,12 @@ N number_of(Word word) {
 }
 
 /// A number type at run time.
-struct Type {
-  Type(std::size_t size, bool is_signed, int fraction_bits, const fixproof::policy& rules);
+struct Type : exact::NumberType<integer> {
   template <class N>
   static Type of() {
-    return {sizeof(N), std::is_signed_v<typename N::raw_type>, N::fraction_bits, N::rules};
+    return {NumberType::of<N>()};
   }
 
-  std::size_t size;
-  bool is_signed;
-  int fraction_bits;
-  fixproof::policy rules;
-  integer one;      ///< The stored integer of 1, which may be out of range.
-  integer count;    ///< Of stored integers.
-  integer lowest;   ///< Stored integer.
-  integer highest;  ///< Stored integer.
-
-  [[nodiscard]] int bits() const { return static_cast<int>(8 * size); }
-  [[nodiscard]] bool fits(const integer& x) const { return x >= lowest && x <= highest; }
-  [[nodiscard]] integer wrapped(const integer& x) const;
   /// A stored integer from the low bits of `value`.
   [[nodiscard]] Word word(std::uint64_t value) const;
   /// @pre fits(x)
@@ -65,26 +54,16 @@ struct Type {
 };
 std::ostream& operator<<(std::ostream& out, const Type& type);
 
-enum class Fault { none, divide_error, overflow, domain_error };
+using Result = exact::Result<integer>;
 
-/// The stored integer of one result, and its fault.
-struct Result {
-  integer raw;
-  Fault fault = Fault::none;
-};
-
-/// An exact result in units of the type, wrapped if the rule throws.
-Result narrowed(const Type& type, const integer& value, fixproof::overflow rule);
 /// A sum of products of stored integers.
 Result product(const Type& type, const integer& sum);
 /// n / d, by the definition of every rule in fixed/policy.hpp.
-Result quotient(const Type& type, integer n, integer d);
+Result quotient(const Type& type, const integer& n, const integer& d);
 
 /// A stored integer, or nothing for an error.
 using Returned = std::optional<integer>;
 
-/// What an operation returns that has this result and overflow rule.
-Returned returned(const Type& type, const Result& result, fixproof::overflow rule);
 /// An exact result in units of the type, under the rule.
 Returned in_range(const Type& type, const integer& value, fixproof::overflow rule);
 /// The same for products and quotients, under the rules of the type.
