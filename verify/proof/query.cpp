@@ -103,9 +103,8 @@ std::vector<std::string> body(std::span<const x86::Instruction> code, std::strin
 }
 
 void expect_proven_fixed_mul(const cases::Variant& v, std::span<const x86::Instruction> code) {
-  const x86::Build build{.mul_rounding = v.build.mul_round};
-  const x86::Program alone =
-      x86::assemble(x86::listing(x86::Routine::mul, x86::Target::i8088), build);
+  const x86::Program alone = x86::assemble(x86::listing(x86::Routine::mul, x86::Target::i8088),
+                                           machine_code::model_build(v.build));
   if (body(code, "FixedMul") != body(alone.instructions(), "FixedMul")) {
     throw std::logic_error("the FixedMul that is called is not the one that is proven");
   }
