@@ -17,13 +17,13 @@ constexpr std::size_t error_digits = 40;
 /// Writes the value of `units`, or nothing if it is out of range.
 void write_neighbour(Json& json, std::string_view name, const Integer& units,
                      const NumberFormat& format) {
-  const oracle::Format f = oracle_format(format.format);
+  const auto f = format.format.as<oracle::Format>();
   if (!oracle::fits(units, f)) return;
   json.field(name, format.write(oracle::wrap(units, f)));
 }
 
 void write_row(Json& json, const NumberFormat& format, const Operand& operand) {
-  const oracle::Format f = oracle_format(format.format);
+  const auto f = format.format.as<oracle::Format>();
   json.field("name", format_name(format.format));
   json.field("bits", format.format.word_bits);
   json.field("fraction", format.format.fraction_bits);

@@ -25,7 +25,7 @@ std::optional<std::uint64_t> word_after_prefix(std::string_view text, int bits) 
 }  // namespace
 
 std::string range_of(const NumberFormat& format) {
-  const oracle::Format f = oracle_format(format.format);
+  const auto f = format.format.as<oracle::Format>();
   return format.write(oracle::wrap(oracle::lowest(f), f)) + " to " +
          format.write(oracle::wrap(oracle::highest(f), f));
 }
@@ -47,7 +47,7 @@ Operand operand_of(std::string_view text, const NumberFormat& format) {
                        std::to_string((bits + 3) / 4) + " hexadecimal digits, after 0b up to " +
                        std::to_string(bits) + " bits."};
     }
-    return {.exact = {oracle::ulps(*word, oracle_format(format.format)),
+    return {.exact = {oracle::ulps(*word, format.format.as<oracle::Format>()),
                       oracle::Integer(1) << format.format.fraction_bits},
             .decimal = format.write(*word)};
   }

@@ -9,7 +9,6 @@
 #include "app/web/formats.hpp"
 #include "oracle/decimal.hpp"
 #include "oracle/format.hpp"
-#include "verify/parties/oracle_format.hpp"
 
 namespace fixproof::web {
 
@@ -33,8 +32,6 @@ struct WordOperand {
 
 /// Reads what operand_of() reads, and rounds it to a word of the format.
 WordOperand word_operand_of(std::string_view text, const NumberFormat& format);
-
-using parties::oracle_format;
 
 /// Returns the range of a format, such as `-32768 to 32767.9999847412109375`.
 std::string range_of(const NumberFormat& format);

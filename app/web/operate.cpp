@@ -63,7 +63,7 @@ bool agrees(const std::optional<std::uint64_t>& word, const std::optional<Intege
 /// Writes a word, its value, and its distance from the exact result.
 void write_word(Json& json, std::uint64_t word, const std::optional<oracle::Ratio>& exact,
                 const NumberFormat& format) {
-  const oracle::Format f = oracle_format(format.format);
+  const auto f = format.format.as<oracle::Format>();
   json.field("word", hex(word, f.bits));
   json.field("value", format.write(word));
   if (!exact) return;
@@ -73,7 +73,7 @@ void write_word(Json& json, std::uint64_t word, const std::optional<oracle::Rati
 
 void write_rules(Json& json, Operation operation, std::uint64_t a, std::uint64_t b,
                  const NumberFormat& format, const std::optional<oracle::Ratio>& exact) {
-  const oracle::Format f = oracle_format(format.format);
+  const auto f = format.format.as<oracle::Format>();
   const bool root = operation == Operation::sqrt;  // rounded to nearest by every rule
   for (std::size_t i = 0; i < (root ? 1U : rules.size()); ++i) {
     json.object([&] {
@@ -133,7 +133,7 @@ std::string operation_view(std::string_view request) {
       }
       words[i] = operand.word;
     }
-    const oracle::Format f = oracle_format(format->format);
+    const auto f = format->format.as<oracle::Format>();
     const auto exact = exact_units(*operation, oracle::ulps(words[0], f), oracle::ulps(words[1], f),
                                    f.fraction_bits);
     json.object("first", [&] { write_word(json, words[0], std::nullopt, *format); });

@@ -12,7 +12,7 @@ namespace {
 
 /// The value of a word of at most 32 bits, in ulps.
 std::int64_t ulps_of(std::uint64_t word, const cases::Format& format) {
-  return static_cast<std::int64_t>(oracle::ulps(word, oracle_format(format)));
+  return static_cast<std::int64_t>(oracle::ulps(word, format.as<oracle::Format>()));
 }
 
 }  // namespace

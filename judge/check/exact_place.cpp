@@ -103,7 +103,7 @@ Exact<Integer> wide_exact(Operation operation, const cases::Format& format,
     return {*floor, (numerator << format.fraction_bits) - *floor * denominator, denominator};
   }
   const auto words = operands.words();
-  const oracle::Format wide = oracle_format(format);
+  const auto wide = format.as<oracle::Format>();
   const Integer a = oracle::ulps(words[0], wide);
   const Integer b = oracle::ulps(words.back(), wide);
   return exact_of<Integer>(operation, a, b, Integer(1) << format.fraction_bits, *floor);

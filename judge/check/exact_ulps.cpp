@@ -13,7 +13,7 @@ std::optional<oracle::Integer> exact_ulps(cases::Operation operation, const case
     return oracle::to_ulps(*converted->value, rule, format.fraction_bits);
   }
   const auto words = operands.words();
-  const oracle::Format wide = oracle_format(format);
+  const auto wide = format.as<oracle::Format>();
   switch (operation) {
     case cases::Operation::mul:
       return oracle::exact_product(words[0], words[1], rule, wide);

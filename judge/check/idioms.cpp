@@ -40,7 +40,8 @@ std::int64_t low_word(std::int64_t value, const Format& /*format*/) {
   return static_cast<std::int32_t>(value);
 }
 Integer low_word(const Integer& value, const Format& format) {
-  return oracle::ulps(oracle::wrap(value, oracle_format(format)), oracle_format(format));
+  const auto wide = format.as<oracle::Format>();
+  return oracle::ulps(oracle::wrap(value, wide), wide);
 }
 
 /// 1.0 in ulps; a template because 2^64 fits only an Integer.
@@ -211,7 +212,7 @@ void IdiomTrial::add(const JudgedCase& one, bool right) {
   const auto compare = [&](std::size_t i, const auto& result, const auto& word) {
     if (one.said != (result ? Said(word(*result)) : Said())) ++exceptions_.at(i);
   };
-  const oracle::Format wide = oracle_format(format_);
+  const auto wide = format_.as<oracle::Format>();
   const auto compare_wide = [&](const Integer& a, const Integer& b) {
     const auto word = [&wide](const Integer& ulps) { return oracle::wrap(ulps, wide); };
     for (std::size_t i = 0; i < all_idioms.size(); ++i) {

@@ -30,7 +30,8 @@ std::uint64_t word_in(std::string_view line, const cases::Format& format) {
 }
 
 oracle::Ratio value_of(std::uint64_t word, const cases::Format& format) {
-  return {oracle::ulps(word, oracle_format(format)), oracle::Integer(1) << format.fraction_bits};
+  const auto wide = format.as<oracle::Format>();
+  return {oracle::ulps(word, wide), oracle::one(wide)};
 }
 
 /// The words of a function's operands.
@@ -45,7 +46,7 @@ std::array<std::uint64_t, 3> words_in(std::string_view line, const cases::Varian
 
 /// Sets the exact result of a function, or the sign without one.
 void set_value(Converted& operand, const cases::Variant& variant) {
-  const oracle::Format format = oracle_format(variant.format);
+  const auto format = variant.format.as<oracle::Format>();
   const auto ulps = [&](std::size_t i) { return oracle::ulps(operand.words.at(i), format); };
   const oracle::Integer x = ulps(0);
   const oracle::Integer y = ulps(1);

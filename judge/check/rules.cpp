@@ -64,7 +64,7 @@ Said mirrored_root(std::uint64_t radicand, const cases::Format& format, Rounding
     return static_cast<std::uint32_t>(mirrored(*root, size << 16U, rounding));
   }
   // The magnitude of the lowest word fits only an unsigned word.
-  oracle::Format wide = oracle_format(format);
+  oracle::Format wide = format.as<oracle::Format>();
   wide.is_signed = false;
   const auto root = oracle::exact_root(size, rounding, wide);
   const oracle::Integer square = oracle::Integer(size) << format.fraction_bits;
@@ -154,7 +154,7 @@ std::optional<Rounded> rounded_result(cases::Operation operation, const cases::F
   }
   const auto ulps = exact_ulps(operation, format, operands, rule);
   if (!ulps) return std::nullopt;
-  const oracle::Format wide = oracle_format(format);
+  const auto wide = format.as<oracle::Format>();
   return Rounded{oracle::wrap(*ulps, wide), oracle::fits(*ulps, wide), *ulps < 0};
 }
 

@@ -46,10 +46,6 @@ std::optional<int> exponent_of(std::string_view text) {
 
 }  // namespace
 
-oracle::Format oracle_format(const cases::Format& format) {
-  return {format.word_bits, format.fraction_bits, format.is_signed};
-}
-
 void join_words(std::span<const std::uint32_t> parts, const cases::Format& format,
                 std::span<std::uint64_t> words) {
   const std::size_t count = cases::words_per_number(format);
@@ -64,7 +60,7 @@ std::string hex_text(std::uint64_t word, const cases::Format& format) {
 }
 
 std::string decimal_text(std::uint64_t word, const cases::Format& format) {
-  const oracle::Integer ulps = oracle::ulps(word, oracle_format(format));
+  const oracle::Integer ulps = oracle::ulps(word, format.as<oracle::Format>());
   const oracle::Integer one = oracle::Integer(1) << format.fraction_bits;
   const int places = places_of(one);
   oracle::Integer scale = 1;
@@ -113,7 +109,7 @@ oracle::Ratio parse_decimal(std::string_view text) {
 Said parse_decimal_result(std::string_view line, const cases::Format& format) {
   const oracle::Integer ulps =
       oracle::to_ulps(parse_decimal(line), oracle::Rounding::half_even, format.fraction_bits);
-  const oracle::Format wide = oracle_format(format);
+  const auto wide = format.as<oracle::Format>();
   return oracle::fits(ulps, wide) ? Said(oracle::wrap(ulps, wide)) : std::nullopt;
 }
 

@@ -63,9 +63,6 @@ std::string hex_text(std::uint64_t word, const cases::Format& format);
 /// Returns the value of a word in decimal, with enough places to distinguish all words.
 std::string decimal_text(std::uint64_t word, const cases::Format& format);
 
-/// Returns the same format as the oracle takes it.
-oracle::Format oracle_format(const cases::Format& format);
-
 /// Returns what a result of the format looks like, for errors.
 std::string result_format(const cases::Format& format, bool decimal = false);
 

@@ -57,7 +57,7 @@ Result answer_of_type(Operation operation, const Format& /*format*/, WordPair in
 template <class Float>
 Result answer_of_float(Operation operation, const Format& format, WordPair in) {
   const auto value = [&](std::uint64_t word) {
-    const Integer ulps = oracle::ulps(word, check::oracle_format(format));
+    const Integer ulps = oracle::ulps(word, format.as<oracle::Format>());
     return std::ldexp(static_cast<Float>(ulps), -format.fraction_bits);
   };
   const Float x = value(in.first);
@@ -97,8 +97,8 @@ std::vector<FormatSubject> subjects_in(const Format& format, Operation operation
 
 /// Empty if there is no result: a zero divisor or the root of a negative number.
 std::optional<ExactResult> exact_result(Operation operation, const Format& format, WordPair in) {
-  const Integer x = oracle::ulps(in.first, check::oracle_format(format));
-  const Integer y = oracle::ulps(in.second, check::oracle_format(format));
+  const Integer x = oracle::ulps(in.first, format.as<oracle::Format>());
+  const Integer y = oracle::ulps(in.second, format.as<oracle::Format>());
   const Integer one = Integer(1) << format.fraction_bits;
   if (operation == Operation::mul) return ExactResult{x * y, one};
   if (operation == Operation::div) {
@@ -173,7 +173,7 @@ struct Part {
 std::vector<AccuracyRow> measure_stream(const Part& part,
                                         const std::vector<FormatSubject>& subjects,
                                         std::uint64_t cases, const std::atomic<bool>& stop) {
-  const oracle::Format format = check::oracle_format(part.format);
+  const auto format = part.format.as<oracle::Format>();
   std::vector<AccuracyRow> rows;
   rows.reserve(subjects.size());
   for (const FormatSubject& subject : subjects) {

@@ -104,7 +104,7 @@ Float library_function(cases::Operation operation, Float x, Float y, Float z) {
 }
 
 std::int64_t ulps_of(std::uint64_t word, const Format& format) {
-  return static_cast<std::int64_t>(oracle::ulps(word, check::oracle_format(format)));
+  return static_cast<std::int64_t>(oracle::ulps(word, format.as<oracle::Format>()));
 }
 
 /// Saturates, and so turns a result that rounds out of range into the nearest word.
@@ -193,7 +193,7 @@ std::vector<AccuracyRow> measure_function(const cases::Variant& variant,
       const std::uint64_t said = subjects[k].answer(operands->words);
       const double largest = rows[k].errors.max();
       const double error = std::fabs(
-          add_error(rows[k].errors, oracle::ulps(said, check::oracle_format(format)), exact));
+          add_error(rows[k].errors, oracle::ulps(said, format.as<oracle::Format>()), exact));
       if (error > largest) rows[k].worst = check::text_of(*operands, variant);
       judged.said = said;
       curves[k].add(judged, error, rounded->word);

@@ -12,7 +12,6 @@
 #include "oracle/function_names.hpp"
 #include "oracle/whole_function.hpp"
 #include "verify/parties/formats.hpp"
-#include "verify/parties/oracle_format.hpp"
 #include "verify/parties/with_format.hpp"
 
 namespace fixproof::parties {
@@ -74,7 +73,7 @@ Number computed(Operation operation, Number x, Number y, Number z) {
 }  // namespace
 
 void answer_function_exactly(const cases::Variant& v, const Batch& batch) {
-  const oracle::Format format = oracle_format(v.format);
+  const auto format = v.format.as<oracle::Format>();
   if (v.operation == Operation::hypot3) {
     return each_case_in(v, batch, [&](const Operands& in) -> Result {
       const auto ulps = [&](std::size_t i) { return oracle::ulps(in.at(i), format); };
@@ -91,7 +90,7 @@ void answer_function_exactly(const cases::Variant& v, const Batch& batch) {
 }
 
 void answer_function_fast(const cases::Variant& v, const Batch& batch) {
-  const oracle::Format format = oracle_format(v.format);
+  const auto format = v.format.as<oracle::Format>();
   if (v.operation == Operation::hypot3) {
     const auto most = static_cast<std::uint64_t>(oracle::highest(format));
     return each_case_in(v, batch, [&](const Operands& in) -> Result {

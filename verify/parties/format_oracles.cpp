@@ -1,7 +1,6 @@
 #include "oracle/fast.hpp"
 #include "oracle/format.hpp"
 #include "verify/parties/formats.hpp"
-#include "verify/parties/oracle_format.hpp"
 
 namespace fixproof::parties {
 
@@ -24,7 +23,7 @@ Integer nearest_double(const Integer& value) {
 
 template <class Int>
 void answer_in(const cases::Variant& v, const Batch& batch) {
-  const oracle::Format format = oracle_format(v.format);
+  const auto format = v.format.as<oracle::Format>();
   each_number(v, batch, [&](LongWord a, LongWord b) -> Result {
     switch (v.operation) {
       case Operation::add:
@@ -64,7 +63,7 @@ void answer_exactly(const cases::Variant& v, const Batch& batch) {
 void answer_fast(const cases::Variant& v, const Batch& batch) {
   if (cases::is_function(v.operation)) return answer_function_fast(v, batch);
   if (cases::is_quotient_function(v.operation)) return answer_quotient_fast(v, batch);
-  const oracle::Format format = oracle_format(v.format);
+  const auto format = v.format.as<oracle::Format>();
   const std::uint64_t ones = cases::all_ones(v.format);
   const auto each = [&](const auto& answer) { each_number(v, batch, answer); };
   switch (v.operation) {

@@ -4,7 +4,6 @@
 #include "oracle/fast.hpp"
 #include "oracle/whole_function.hpp"
 #include "verify/parties/formats.hpp"
-#include "verify/parties/oracle_format.hpp"
 #include "verify/parties/with_format.hpp"
 
 namespace fixproof::parties {
@@ -53,7 +52,7 @@ void answer_reporting(const cases::Variant& v, const Batch& batch) {
 }  // namespace
 
 void answer_quotient_exactly(const cases::Variant& v, const Batch& batch) {
-  const oracle::Format format = oracle_format(v.format);
+  const auto format = v.format.as<oracle::Format>();
   each_case_in(v, batch, [&](const Operands& in) -> Result {
     const auto x = oracle::ulps(in[0], format);
     const auto y = oracle::ulps(in[1], format);
@@ -68,7 +67,7 @@ void answer_quotient_exactly(const cases::Variant& v, const Batch& batch) {
 }
 
 void answer_quotient_fast(const cases::Variant& v, const Batch& batch) {
-  const oracle::Format format = oracle_format(v.format);
+  const auto format = v.format.as<oracle::Format>();
   const auto each = [&](const auto& function) { each_case_in(v, batch, function); };
   switch (v.operation) {
     case Operation::fmod:

@@ -11,7 +11,6 @@
 #include "oracle/fast.hpp"
 #include "oracle/fast_sine.hpp"
 #include "verify/parties/formats.hpp"
-#include "verify/parties/oracle_format.hpp"
 #include "verify/parties/parties.hpp"
 
 namespace fixproof::parties {
@@ -93,7 +92,7 @@ class Oracle final : public Party {
   }
   void fill(const cases::Variant& v, const Batch& batch) const override {
     if (!is_of_build(v) && !is_sine_of_routine_format(v)) return answer_exactly(v, batch);
-    const oracle::Format format = oracle_format(v.format);
+    const auto format = v.format.as<oracle::Format>();
     const Rounding rounding = multiply_rule(v);
     each_case(v, batch, [&](std::span<const Word> in, std::span<Word> out) {
       switch (v.operation) {
@@ -135,7 +134,7 @@ class FastOracle final : public Party {
   void fill(const cases::Variant& v, const Batch& batch) const override {
     if (!is_of_build(v) && !is_sine_of_routine_format(v)) return answer_fast(v, batch);
     // Each operation has its own loop, because the loop dominates the time of a sweep.
-    const oracle::Format format = oracle_format(v.format);
+    const auto format = v.format.as<oracle::Format>();
     const Rounding rounding = multiply_rule(v);
     switch (v.operation) {
       case cases::Operation::mul:

@@ -209,7 +209,7 @@ TEST(Formats, BytesWithoutQuotientTiesHaveNone) {
   for (const char* name : {"q2_6", "q1_7", "q0_8", "u1_7", "u0_8", "q3_5", "u4_4"}) {
     const cases::Format format = cases::format_named(name);
     const Integer one = Integer(1) << format.fraction_bits;
-    const oracle::Format exact{format.word_bits, format.fraction_bits, format.is_signed};
+    const auto exact = format.as<oracle::Format>();
     bool found = false;
     for (std::uint64_t n = 0; n < 256; ++n) {
       for (std::uint64_t d = 1; d < 256; ++d) {
