@@ -2,10 +2,10 @@
 #include "measure/trade/advice/cost.hpp"
 
 #include "measure/clocks/frame_clocks.hpp"
+#include "tests/measure/one_cube.hpp"
 #include "tests/support/test.hpp"
 #include "verify/parties/interpreter.hpp"
 #include "x86model/count_clocks.hpp"
-#include "xsharp/shapes.hpp"
 
 namespace fixproof {
 namespace {
@@ -13,13 +13,9 @@ namespace {
 constexpr auto cpu = x86model::Cpu::i386;
 
 xsharp::Scene turning_cube(std::int32_t axes) {
-  xsharp::Scene scene;
-  xsharp::ObjectDescription cube;
-  cube.mesh = xsharp::cube(10);
-  cube.paints.resize(cube.mesh.faces.size(), {true, 1, {}});
-  cube.position = {0, 0, -100};
-  for (std::int32_t i = 0; i < axes; ++i) cube.spin.tenths.at(static_cast<std::size_t>(i)) = 10;
-  scene.objects.push_back(cube);
+  xsharp::Scene scene = one_cube(10, -100);
+  auto& spin = scene.objects.front().spin;
+  for (std::int32_t i = 0; i < axes; ++i) spin.tenths.at(static_cast<std::size_t>(i)) = 10;
   return scene;
 }
 

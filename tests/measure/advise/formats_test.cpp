@@ -7,10 +7,10 @@
 #include "fixed/fixed.hpp"
 #include "measure/trade/advice/fraction_number.hpp"
 #include "measure/trade/advice/screen_corners.hpp"
+#include "tests/measure/one_cube.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
-#include "xsharp/shapes.hpp"
 
 namespace fixproof {
 namespace {
@@ -91,13 +91,8 @@ TEST(FractionNumber, With16FractionBitsDrawsEveryScene) {
 }
 
 xsharp::Scene cube_at(double half_edge, double z) {
-  xsharp::Scene scene;
+  xsharp::Scene scene = one_cube(half_edge, z);
   scene.conversion = xsharp::Conversion::nearest;
-  xsharp::ObjectDescription cube;
-  cube.mesh = xsharp::cube(half_edge);
-  cube.paints.resize(cube.mesh.faces.size(), {true, 1, {}});
-  cube.position = {0, 0, z};
-  scene.objects.push_back(cube);
   return scene;
 }
 

@@ -6,22 +6,17 @@
 #include "measure/player/players.hpp"
 #include "measure/trade/advice/screen_corners.hpp"
 #include "measure/trade/drift/run.hpp"
+#include "tests/measure/one_cube.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 #include "xsharp/files/scene_json.hpp"
-#include "xsharp/shapes.hpp"
 
 namespace fixproof {
 namespace {
 
 xsharp::Scene still_cube(double half_edge, double z) {
-  xsharp::Scene scene;
+  xsharp::Scene scene = one_cube(half_edge, z);
   scene.conversion = xsharp::Conversion::nearest;
-  xsharp::ObjectDescription cube;
-  cube.mesh = xsharp::cube(half_edge);
-  cube.paints.resize(cube.mesh.faces.size(), {true, 1, {}});
-  cube.position = {0, 0, z};
-  scene.objects.push_back(cube);
   return scene;
 }
 

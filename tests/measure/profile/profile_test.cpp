@@ -3,9 +3,9 @@
 
 #include "app/cli/profile_text.hpp"
 #include "measure/player/players.hpp"
+#include "tests/measure/one_cube.hpp"
 #include "tests/support/test.hpp"
 #include "x86model/forms.hpp"
-#include "xsharp/shapes.hpp"
 
 namespace fixproof {
 namespace {
@@ -14,13 +14,8 @@ constexpr std::int64_t one = 65536;
 
 /// One cube at (0, 0, z) that does not move; the projection constant is -320.
 xsharp::Scene still_cube(double half_edge, double z) {
-  xsharp::Scene scene;
+  xsharp::Scene scene = one_cube(half_edge, z);
   scene.depth_key = xsharp::DepthKey::none;
-  xsharp::ObjectDescription cube;
-  cube.mesh = xsharp::cube(half_edge);
-  cube.paints.resize(cube.mesh.faces.size(), {true, 1, {}});
-  cube.position = {0, 0, z};
-  scene.objects.push_back(cube);
   return scene;
 }
 
