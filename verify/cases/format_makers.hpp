@@ -35,7 +35,7 @@ constexpr bool has_product_ties(const Format& format) { return format.fraction_b
 /// Tells whether a quotient can lie halfway between two units. Only divisors of 2^(F+1) units and
 /// their multiples have such quotients.
 constexpr bool has_quotient_ties(const Format& format) {
-  return format.word_bits - (format.is_signed ? 1 : 0) >= format.fraction_bits + 2;
+  return magnitude_bits(format) >= format.fraction_bits + 2;
 }
 
 /// The exact product lies halfway between two units.
