@@ -11,6 +11,7 @@
 #include "judge/code/symbolic_machine.hpp"
 #include "x86model/alu.hpp"
 #include "x86model/run.hpp"
+#include "x86model/symbolic/explorer.hpp"
 #include "x86model/text.hpp"
 
 namespace fixproof::judge {
@@ -20,15 +21,9 @@ namespace {
 namespace alu = x86model::alu;
 namespace sym = x86model::symbolic;
 using sym::Term;
+using sym::Thread;
 using x86model::Register;
 using x86model::Size;
-
-/// A path in progress.
-struct Thread {
-  sym::State state;
-  Term condition;
-  std::uint32_t at = 0;  ///< offset of the next instruction
-};
 
 /// A disassembled instruction as x86model/execute.hpp takes it.
 struct Instruction {
@@ -39,29 +34,22 @@ struct Instruction {
 
 constexpr const char* unknown_flag = "it reads a flag that is undefined or not modelled";
 
+[[noreturn]] void not_modelled() { throw Obstacle("this instruction is not modelled"); }
+
 constexpr std::size_t max_paths = 200;
 constexpr std::size_t max_steps = 20'000;
 
-class Explorer {
+class Explorer : public sym::Explorer<Path> {
  public:
   Explorer(const Subject& subject, Listing& listing, sym::Terms& terms)
-      : image_(subject.image), t_(terms), subject_(subject), listing_(listing) {}
+      : sym::Explorer<Path>(terms, max_paths),
+        image_(subject.image),
+        subject_(subject),
+        listing_(listing) {}
 
-  std::vector<Path> all() {
-    threads_.push_back(start());
-    while (!threads_.empty()) {
-      Thread thread = std::move(threads_.back());
-      threads_.pop_back();
-      follow(std::move(thread));
-    }
-    return std::move(paths_);
-  }
-
- private:
+  /// The entry of the routine, called with its operands.
   Thread start() {
-    Thread thread;
-    thread.condition = t_.truth(true);
-    thread.at = image_.entry;
+    Thread thread{.condition = t_.truth(true), .position = image_.entry};
     for (std::size_t r = 0; r < x86model::register_count; ++r) {
       thread.state.registers.at(r) = t_.variable(sym::numbered("register", r), 32);
     }
@@ -101,27 +89,32 @@ class Explorer {
     return thread;
   }
 
+ private:
   Term extended(const Parameter& p, std::size_t index, int bits) {
     const Term value = t_.variable(operand_name(index), p.bits);
     return p.is_signed ? t_.sign_extend(value, bits) : t_.zero_extend(value, bits);
   }
 
-  void follow(Thread thread) {
-    for (std::size_t steps = 0; steps < max_steps; ++steps) {
-      if (thread.at == image_.exit) return returned(thread);
-      const std::uint32_t linear = image_.code_at(thread.at);
-      if (linear < image_.first || linear >= image_.end) throw Obstacle("a path leaves the code");
-      const Line& line = listing_.at(thread.at);
-      try {
-        const Decoded code = listing_.decoded_at(thread.at);
-        thread.at += code.bytes;
-        if (!step(thread, code)) throw Obstacle("this instruction is not modelled");
-      } catch (const Obstacle& obstacle) {
-        throw Obstacle(fmt::format("{} at {:04x}h: {}", line.text, line.at, obstacle.what()));
-      }
-      if (t_.is_constant(thread.condition) && t_.value(thread.condition) == 0) return;
+  bool step(Thread& thread) override {
+    const auto at = static_cast<std::uint32_t>(thread.position);
+    if (at == image_.exit) {
+      returned(thread);
+      return false;
     }
-    throw Obstacle(fmt::format("a path has more than {} instructions", max_steps));
+    if (thread.steps > max_steps) {
+      throw Obstacle(fmt::format("a path has more than {} instructions", max_steps));
+    }
+    const std::uint32_t linear = image_.code_at(at);
+    if (linear < image_.first || linear >= image_.end) throw Obstacle("a path leaves the code");
+    try {
+      return execute(thread, listing_.decoded_at(at)) && is_possible(thread);
+    } catch (const Obstacle& obstacle) {
+      throw Obstacle(fmt::format("{} at {:04x}h: {}", listing_.at(at).text, at, obstacle.what()));
+    }
+  }
+
+  void give_up(Thread& /*thread*/) override {
+    throw Obstacle(fmt::format("there are more than {} paths", max_paths));
   }
 
   void returned(Thread& thread) {
@@ -151,37 +144,39 @@ class Explorer {
     paths_.push_back(path);
   }
 
-  /// Executes one instruction. Returns false if it is not modelled.
-  bool step(Thread& thread, const Decoded& code) {
+  /// Executes one instruction. Returns whether the thread goes on.
+  bool execute(Thread& thread, const Decoded& code) {
+    const auto next = static_cast<std::uint32_t>(thread.position) + code.bytes;
     const std::string& m = code.mnemonic;
-    if (code.has_repeat || code.overrides_segment || code.operands.size() > 3) return false;
+    if (code.has_repeat || code.overrides_segment || code.operands.size() > 3) not_modelled();
     Instruction i{.count = code.operands.size()};
     std::copy(code.operands.begin(), code.operands.end(), i.operands.begin());
     ImageMachine machine(image_, t_, thread.state);
     if (m == "ret" || m == "retf") {
       const Term to = machine.pop(machine.word());
-      if (!t_.is_constant(to)) return false;
-      thread.at = static_cast<std::uint32_t>(t_.value(to));
+      if (!t_.is_constant(to)) not_modelled();
+      thread.position = t_.value(to);
       if (m == "retf") machine.pop(machine.word());
       if (i.count == 1) machine.move_stack(i.operands[0].value);
       return true;
     }
-    if (code.target) return transferred(thread, machine, code);
+    if (code.target) return transfer(thread, machine, code, next);
     const Size size = size_of(i, m);
     for (std::size_t n = 0; n < i.count; ++n) {
       Operand& operand = i.operands.at(n);
       if (operand.kind == Operand::Kind::other || operand.kind == Operand::Kind::segment) {
-        return false;
+        not_modelled();
       }
       operand.size = size;
     }
     const bool done = execute_shared(machine, m, i) || execute_users(machine, code, i, size);
     if (machine.fault) {
       paths_.push_back(
-          {.condition = t_.both(thread.condition, machine.fault->condition), .divide_error = true});
-      thread.condition = t_.both(thread.condition, t_.negation(machine.fault->condition));
+          {.condition = take_off(thread, machine.fault->condition), .divide_error = true});
     }
-    return done;
+    if (!done) not_modelled();
+    thread.position = next;
+    return true;
   }
 
   /// The size of the operands: that of the first one, which an immediate does not have.
@@ -190,29 +185,13 @@ class Explorer {
     return bits == 8 ? Size::byte : bits == 16 ? Size::word : Size::dword;
   }
 
-  /// A jump or call with a fixed target.
-  bool transferred(Thread& thread, ImageMachine& machine, const Decoded& code) {
-    const std::uint32_t to = *code.target;
-    if (code.mnemonic == "call") machine.push(t_.constant(thread.at, machine.width()));
-    if (code.mnemonic == "call" || code.mnemonic == "jmp") {
-      thread.at = to;
-      return true;
-    }
-    if (!code.condition) return false;
-    const Term taken = holds(machine, *code.condition);
-    if (t_.is_constant(taken)) {
-      if (t_.value(taken) != 0) thread.at = to;
-      return true;
-    }
-    if (paths_.size() + threads_.size() > max_paths) {
-      throw Obstacle(fmt::format("there are more than {} paths", max_paths));
-    }
-    Thread other = thread;
-    other.at = to;
-    other.condition = t_.both(thread.condition, taken);
-    thread.condition = t_.both(thread.condition, t_.negation(taken));
-    threads_.push_back(std::move(other));
-    return true;
+  /// A jump or call with a fixed target. Returns whether the thread goes on.
+  bool transfer(Thread& thread, ImageMachine& machine, const Decoded& code, std::uint32_t next) {
+    if (code.mnemonic == "call") machine.push(t_.constant(next, machine.width()));
+    const bool always = code.mnemonic == "call" || code.mnemonic == "jmp";
+    if (!always && !code.condition) not_modelled();
+    const Term taken = always ? t_.truth(true) : holds(machine, *code.condition);
+    return jump(thread, taken, *code.target, next);
   }
 
   static Term holds(const ImageMachine& machine, alu::Condition condition) {
@@ -309,11 +288,8 @@ class Explorer {
   }
 
   const Image& image_;
-  sym::Terms& t_;
   const Subject& subject_;
   Listing& listing_;
-  std::vector<Thread> threads_;
-  std::vector<Path> paths_;
   sym::State begin_;
   std::uint32_t after_ = 0;  ///< the right SP after the return
 };
@@ -325,7 +301,8 @@ std::string operand_name(std::size_t index) { return {static_cast<char>('a' + in
 SymbolicRun run_symbolically(const Subject& subject, Listing& listing, sym::Terms& terms) {
   SymbolicRun run;
   try {
-    run.paths = Explorer(subject, listing, terms).all();
+    Explorer explorer(subject, listing, terms);
+    run.paths = explorer.all(explorer.start());
   } catch (const Obstacle& obstacle) {
     run.obstacle = obstacle.what();
   }
