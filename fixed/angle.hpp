@@ -6,8 +6,6 @@
 /// signed format with fewer than three bits before the point, or an unsigned one with none, can
 /// have results out of range. They throw an overflow_error under overflow::trap, and saturate under
 /// every other policy.
-///
-/// fixed.hpp does not include this header.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 /// @file
-/// All of namespace fixproof except fixed/exponential.hpp, fixed/trigonometry.hpp, fixed/angle.hpp,
-/// fixed/power.hpp, fixed/bytes.hpp, fixed/eigen.hpp, fixed/batch/batch.hpp, fixed/batch/radian.hpp
-/// and judge/property/generator.hpp.
+/// The number type with all its operations and functions. Numbers as bytes, Eigen, batches and the
+/// recorder have headers of their own: fixed/bytes.hpp, fixed/eigen.hpp, fixed/batch/batch.hpp and
+/// fixed/record/recorded.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
 ///
@@ -11,6 +11,7 @@
 ///     static_assert(x == q16_16(4) && x.raw() == 0x40000);
 ///     const auto [cos, sin] = fixproof::sin_cos_of_tenths<q16_16>(450);  // 45.0 degrees
 ///     static_assert(fixproof::sin(half).raw() == 31420);       // of half a radian
+///     static_assert(fixproof::exp(half).raw() == 108051);      // 108050.6
 ///     std::cout << x * cos << '\n';                       // exact decimal: 2.82843017578125
 ///     fixproof::q16_16_saturating last(1e9);              // 32767.9999847412109375
 ///     if (auto q = fixproof::try_divide(x, q16_16())) {}  // no quotient by zero
@@ -32,10 +33,11 @@
 /// must agree on exceptions and on FIXED_NO_INT128, where two definitions would not agree.
 #pragma once
 
+#include "fixed/angle.hpp"
 #include "fixed/checked.hpp"
 #include "fixed/cmath.hpp"
 #include "fixed/constants.hpp"
-#include "fixed/detail/elsewhere.hpp"
+#include "fixed/exponential.hpp"
 #include "fixed/formats.hpp"
 #include "fixed/limits.hpp"
 #include "fixed/literals.hpp"
@@ -43,8 +45,10 @@
 #include "fixed/mixed.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
+#include "fixed/power.hpp"
 #include "fixed/traits.hpp"
 #include "fixed/trig.hpp"
+#include "fixed/trigonometry.hpp"
 #include "fixed/version.hpp"
 #include "fixed/wide.hpp"
 

@@ -5,8 +5,6 @@
 /// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
 /// an overflow_error under overflow::trap. Under every other policy it saturates. reciprocal() and
 /// hypot() take every format, the others only formats of at most 32 bits.
-///
-/// fixed.hpp does not include this header.
 #pragma once
 
 #include <cstdint>

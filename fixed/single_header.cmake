@@ -3,7 +3,8 @@
 #     cmake -D OUT=fixed.hpp -P fixed/single_header.cmake
 #
 # The file has three parts:
-#   1. fixed/fixed.hpp with every header of this library in the place where it is included first;
+#   1. fixed/fixed.hpp with every header of this library in the place where it is included first, but those of functions
+#      of real numbers, which would make the file a third larger;
 #   2. fixed/format.hpp, outside the include guard: including the file again after fmt adds fmt's
 #      formatter, as including that header again does;
 #   3. fixed/batch/batch.hpp, fixed/batch/radian.hpp and fixed/batch/conversions.hpp, if FIXED_BATCH is defined. Their
@@ -54,7 +55,7 @@ function(read_header header result)
 endfunction()
 
 # expand(TEXT RESULT): the text with the headers that it includes and `done` does not have.
-set(done fixed/format.hpp)
+set(done fixed/angle.hpp fixed/exponential.hpp fixed/format.hpp fixed/power.hpp fixed/trigonometry.hpp)
 # A function, because a macro would evaluate the backslashes of the text again.
 function(expand start result)
   set(text "${start}")
@@ -121,7 +122,7 @@ ${targets}${batch}
 ")
 # Shorter names for macros: tests/fixed/import/own_tests limits the size.
 foreach(pair "LANE_FUNCTION FN" "LANE_BYTES BYTES" "ALWAYS_INLINE HOT" "INLINE_UNOPTIMISED HOT0" "REFUSED_OPERATOR NO_OP"
-    "REFUSED NO" "ELSEWHERE FAR" "LITERAL LIT" "INSTEAD USE" "SURE_OF_AVX512 SURE")
+    "REFUSED NO" "LITERAL LIT" "INSTEAD USE" "SURE_OF_AVX512 SURE")
   string(REPLACE " " ";FIXED_" pair "FIXED_${pair}")
   list(GET pair 0 long)
   list(GET pair 1 short)

@@ -7,8 +7,7 @@
 /// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
 /// an overflow_error under overflow::trap. Under every other policy it saturates.
 ///
-/// fixed.hpp does not include this header. It includes fixed/trig.hpp, which has sin(), cos() and
-/// sin_cos() of radians in 16.16 and 8.8.
+/// fixed/trig.hpp has sin(), cos() and sin_cos() of radians in 16.16 and 8.8.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,6 @@
 #include <optional>
 
 #include "fixed/fixed.hpp"
-#include "fixed/power.hpp"
 #include "xsharp/scene.hpp"
 #include "xsharp/transform.hpp"
 

@@ -12,13 +12,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "fixed/angle.hpp"
 #include "fixed/bytes.hpp"
-#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
-#include "fixed/power.hpp"
 #include "fixed/record/number.hpp"
-#include "fixed/trigonometry.hpp"
 
 namespace fixproof {
 

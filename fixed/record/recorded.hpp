@@ -22,12 +22,8 @@
 /// function of fixed/ except those of fixed/eigen.hpp, and none of fixed/batch/.
 #pragma once
 
-#include "fixed/angle.hpp"
 #include "fixed/bytes.hpp"
-#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
-#include "fixed/power.hpp"
-#include "fixed/trigonometry.hpp"
 
 #if !defined(FIXPROOF_RECORD)
 #define FIXPROOF_RECORD 0

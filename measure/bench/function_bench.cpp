@@ -17,11 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "fixed/angle.hpp"
-#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
-#include "fixed/power.hpp"
-#include "fixed/trigonometry.hpp"
 #include "oracle/fast.hpp"
 #include "oracle/function.hpp"
 #if defined(FIXPROOF_LIBFIXMATH)

@@ -30,7 +30,6 @@
 #include <vector>
 
 #include "fixed/fixed.hpp"
-#include "fixed/power.hpp"
 #include "xsharp/animation.hpp"
 #include "xsharp/files/scene_json.hpp"
 #include "xsharp/raster/fill.hpp"

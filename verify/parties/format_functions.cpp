@@ -3,10 +3,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "fixed/angle.hpp"
-#include "fixed/exponential.hpp"
-#include "fixed/power.hpp"
-#include "fixed/trigonometry.hpp"
+#include "fixed/fixed.hpp"
 #include "oracle/fast.hpp"
 #include "oracle/function.hpp"
 #include "oracle/function_names.hpp"

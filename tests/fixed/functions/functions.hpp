@@ -4,11 +4,7 @@
 
 #include <array>
 
-#include "fixed/angle.hpp"
-#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
-#include "fixed/power.hpp"
-#include "fixed/trigonometry.hpp"
 #include "oracle/function.hpp"
 #include "oracle/function_names.hpp"
 #include "tests/support/test.hpp"

@@ -14,11 +14,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "fixed/angle.hpp"
-#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
-#include "fixed/power.hpp"
-#include "fixed/trigonometry.hpp"
 
 namespace {
 
@@ -204,8 +200,7 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
   }
 }
 
-/// The functions of fixed/exponential.hpp, trigonometry.hpp, angle.hpp and power.hpp, and the
-/// remainder of fixed/cmath.hpp, numbered.
+/// The functions of real numbers, and the remainder of fixed/cmath.hpp, numbered.
 constexpr std::uint64_t functions = 30;
 
 template <class N>

@@ -65,14 +65,10 @@
 #define _B 0200
 // NOLINTEND(cppcoreguidelines-macro-usage)
 
-#include "fixed/angle.hpp"
 #include "fixed/batch/batch.hpp"
 #include "fixed/batch/functions.hpp"
 #include "fixed/batch/radian.hpp"
-#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
-#include "fixed/power.hpp"
-#include "fixed/trigonometry.hpp"
 
 using fixproof::q16_16;
 

@@ -5,14 +5,10 @@
 // NOLINTNEXTLINE(google-build-using-namespace): what is tested
 using namespace std;
 
-#include "fixed/angle.hpp"
 #include "fixed/batch/batch.hpp"
 #include "fixed/batch/functions.hpp"
 #include "fixed/batch/radian.hpp"
-#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
-#include "fixed/power.hpp"
-#include "fixed/trigonometry.hpp"
 
 void print_fixed(fixproof::q16_16 x) {
   cout << fixed << setprecision(3) << static_cast<double>(x) << ' ' << fixproof::sqrt(x) << '\n';

@@ -1,14 +1,10 @@
 // The same operations for every translation unit; ANSWERS names the function of this one.
 #include <string>
 
-#include "fixed/angle.hpp"
 #include "fixed/batch/batch.hpp"
 #include "fixed/batch/radian.hpp"
 #include "fixed/bytes.hpp"
-#include "fixed/exponential.hpp"
 #include "fixed/fixed.hpp"
-#include "fixed/power.hpp"
-#include "fixed/trigonometry.hpp"
 
 std::string ANSWERS();
 
