@@ -213,8 +213,9 @@ template <rounding Rule, class N>
 }
 
 /// @name Signs and classes
-/// As those of plain numbers, and not recorded.
 /// \{
+
+/// As those of plain numbers, and not recorded.
 template <class N>
 [[nodiscard]] constexpr bool(signbit)(recorded_number<N> x) noexcept {
   return (fixproof::signbit)(x.value_);

@@ -18,9 +18,9 @@ using word = std::uint64_t;
 
 /// A page: a header of 8 words and 120 words of contents.
 inline constexpr std::size_t page_words = 128;
-inline constexpr std::size_t page_bytes = page_words * sizeof(word);
-inline constexpr std::size_t page_header = 8;
-inline constexpr std::size_t page_room = page_words - page_header;
+inline constexpr std::size_t page_bytes = page_words * sizeof(word);  ///< Its bytes.
+inline constexpr std::size_t page_header = 8;                         ///< The words of its header.
+inline constexpr std::size_t page_room = page_words - page_header;  ///< The words of its contents.
 
 /// The number of records in a block. A block before a frame or at the end of the run has fewer.
 inline constexpr std::size_t block_records = 1024;
@@ -80,6 +80,7 @@ inline constexpr word long_threw = word{1} << 48;
 /// \}
 /// The most operands and results of a long record together.
 inline constexpr std::size_t max_values = 8;
+/// The most words of a record.
 inline constexpr std::size_t max_record_words = 14;
 
 /// Returns the policy in 14 bits.
@@ -89,6 +90,7 @@ constexpr std::uint32_t code_of(const policy& p) noexcept {
   return (n(p.multiply) * 5 + n(p.divide)) << 9 | ranges << 3 | n(p.divisor) << 2 | n(p.fault);
 }
 
+/// Returns the logarithm of 1, 2, 4 or 8.
 constexpr std::uint32_t log2_of(std::size_t bytes) noexcept {
   return bytes == 1 ? 0 : bytes == 2 ? 1 : bytes == 4 ? 2 : 3;
 }

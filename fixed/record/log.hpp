@@ -16,6 +16,7 @@
 #include "fixed/record/origin.hpp"
 #include "fixed/record/pages.hpp"
 
+/// What a program reports about a run with recorded numbers, and the log that keeps it.
 namespace fixproof::record {
 
 /// How far a run has come. Two machines whose operations so far are equal have the same position.
@@ -23,13 +24,14 @@ struct position {
   std::uint64_t records = 0;  ///< Operations, frames and marks.
   std::uint64_t hash = 0;     ///< The sum of their hashes.
 
+  /// Whether both members are equal.
   friend bool operator==(const position&, const position&) = default;
 };
 
 /// A place in a source.
 struct place {
-  const char* file;
-  unsigned line;
+  const char* file;  ///< The name of the file.
+  unsigned line;     ///< The line, from 1 on.
 };
 /// No place. The place of the record before remains in force.
 inline constexpr place nowhere{"", 0};

@@ -28,6 +28,7 @@ constexpr place here(const char* file, unsigned line) noexcept { return {file, l
 
 }  // namespace record::detail
 
+/// The place of a call, as the default of an argument.
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the compiler evaluates it where it is a default
 // argument
 #define FIXPROOF_HERE fixproof::record::detail::here(__builtin_FILE(), __builtin_LINE())
@@ -60,20 +61,23 @@ class recorded_number {
   /// An operand with the place of the operation. An operator cannot have default arguments, but the
   /// conversion of its operand can, and the compiler evaluates them at the place of the operator.
   struct operand {
-    Number value;
-    record::place from;
+    Number value;        ///< The plain number.
+    record::place from;  ///< The place of the operation.
 
     // NOLINTBEGIN(google-explicit-constructor): converts the operands of operators
+    /// Converts a recorded number.
     constexpr operand(recorded_number x, record::place at = FIXPROOF_HERE) noexcept
         : value(x.value_), from(at) {}
+    /// Converts a plain number.
     constexpr operand(Number x, record::place at = FIXPROOF_HERE) noexcept : value(x), from(at) {}
     // NOLINTEND(google-explicit-constructor)
   };
   /// The left side of a compound assignment, with its place.
   struct target {
-    recorded_number& value;
-    record::place from;
+    recorded_number& value;  ///< The number to assign to.
+    record::place from;      ///< The place of the assignment.
 
+    /// Refers to a number.
     // NOLINTNEXTLINE(google-explicit-constructor): as above
     constexpr target(recorded_number& x, record::place at = FIXPROOF_HERE) noexcept
         : value(x), from(at) {}
@@ -86,7 +90,10 @@ class recorded_number {
   // NOLINTNEXTLINE(google-explicit-constructor): so that literals remain usable
   constexpr recorded_number(Number x) noexcept : value_(x) {}
 
-  /// Converts as Number does.
+  /// @name Conversions
+  /// \{
+
+  /// As those of Number.
   template <detail::integer Int>
   explicit constexpr recorded_number(Int x,
                                      record::place from = FIXPROOF_HERE) noexcept(never_throws)
@@ -103,6 +110,15 @@ class recorded_number {
   requires(!std::same_as<Other, Number>) explicit constexpr recorded_number(
       recorded_number<Other> x, record::place from = FIXPROOF_HERE) noexcept(never_throws)
       : value_(converted(x.value_, from)) {}
+  explicit constexpr operator Number() const noexcept { return value_; }
+  template <std::floating_point Float>
+  requires detail::binary_float<Float>
+  explicit constexpr operator Float() const noexcept { return static_cast<Float>(value_); }
+  template <std::integral Int>
+  requires(!std::same_as<Int, bool>) explicit constexpr operator Int() const noexcept {
+    return static_cast<Int>(value_);
+  }
+  /// \}
 
   /// As Number::from_raw().
   [[nodiscard]] static constexpr recorded_number from_raw(
@@ -121,16 +137,11 @@ class recorded_number {
   [[nodiscard]] constexpr raw_type raw() const noexcept { return value_.raw(); }
   /// The plain number, whose operations are not recorded.
   [[nodiscard]] constexpr Number plain() const noexcept { return value_; }
-  explicit constexpr operator Number() const noexcept { return value_; }
-  template <std::floating_point Float>
-  requires detail::binary_float<Float>
-  explicit constexpr operator Float() const noexcept { return static_cast<Float>(value_); }
-  template <std::integral Int>
-  requires(!std::same_as<Int, bool>) explicit constexpr operator Int() const noexcept {
-    return static_cast<Int>(value_);
-  }
 
-  /// Compares as Number does.
+  /// @name Comparisons
+  /// \{
+
+  /// As those of Number.
   friend constexpr bool operator==(recorded_number, recorded_number) noexcept = default;
   friend constexpr auto operator<=>(recorded_number, recorded_number) noexcept = default;
   template <detail::integer Int>
@@ -141,6 +152,7 @@ class recorded_number {
   friend constexpr std::strong_ordering operator<=>(recorded_number a, Int b) noexcept {
     return a.value_ <=> b;
   }
+  /// \}
 
   /// The number itself.
   [[nodiscard]] constexpr recorded_number operator+() const noexcept { return *this; }
@@ -150,6 +162,7 @@ class recorded_number {
         a.from, [](Number x) { return -x; }, a.value);
   }
 
+  /// @cond
   // NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): defines operators
 #define FIXPROOF_RECORDED_OPERATOR(op, name, is_noexcept)                                       \
   [[nodiscard]] friend constexpr recorded_number operator op(recorded_number a,                 \
@@ -205,7 +218,6 @@ class recorded_number {
     return before;                                                                         \
   }
   // NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
-  /// @cond
   FIXPROOF_RECORDED_OPERATOR(+, add, never_throws)
   FIXPROOF_RECORDED_OPERATOR(-, subtract, never_throws)
   FIXPROOF_RECORDED_OPERATOR(*, multiply, multiply_never_throws)
@@ -220,8 +232,10 @@ class recorded_number {
 #undef FIXPROOF_RECORDED_SHIFT
 #undef FIXPROOF_RECORDED_STEP
 
-  /// As the operators of Number. A sum or product with the integer first is recorded as one with
-  /// the number first.
+  /// @name Operators with an integer first
+  /// \{
+
+  /// As those of Number. A sum or product is recorded as one with the number first.
   template <detail::integer Int>
   [[nodiscard]] friend constexpr recorded_number operator+(Int a,
                                                            operand b) noexcept(never_throws) {
@@ -240,6 +254,7 @@ class recorded_number {
     return record::detail::logged<record::kind::multiply_integer, Number>(
         b.from, [](Number x, Int y) { return y * x; }, b.value, a);
   }
+  /// \}
 
  private:
   static constexpr Number converted(auto x, record::place from) noexcept(never_throws) {

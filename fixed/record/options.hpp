@@ -15,9 +15,9 @@ namespace fixproof::record {
 /// A range of blocks or frames to record in full, both ends included. It is empty if `last` <
 /// `first`.
 struct full_range {
-  bool is_of_frames = false;
-  std::int64_t first = 0;
-  std::int64_t last = -1;
+  bool is_of_frames = false;  ///< Whether the ends are numbers of frames.
+  std::int64_t first = 0;     ///< The first block or frame.
+  std::int64_t last = -1;     ///< The last one.
 
   /// Reads a range of blocks such as "97-98", or of frames such as "frames:12-13". Frames may be
   /// negative: "frames:-2--1". Returns an empty range for anything else.

@@ -18,6 +18,7 @@ namespace fixproof::record {
 // NOLINTBEGIN(cppcoreguidelines-owning-memory): this class owns the file
 class page_file {
  public:
+  /// Opens the file to write it anew.
   explicit page_file(const char* path) noexcept : file_(std::fopen(path, "wb")) {
     // Without a buffer, every page is written at once, so that no page is lost if the program is
     // killed.

@@ -26,6 +26,7 @@
 #include "fixed/fixed.hpp"
 
 #if !defined(FIXPROOF_RECORD)
+/// Whether recorded numbers record.
 #define FIXPROOF_RECORD 0
 #endif
 
@@ -46,6 +47,7 @@ namespace fixproof {
 template <class Number>
 using recorded = recorded_number<Number>;
 #else
+/// Number itself, because FIXPROOF_RECORD is not 1.
 template <class Number>
 using recorded = Number;
 #endif

@@ -20,8 +20,9 @@
 namespace fixproof {
 
 /// @name Text
-/// As that of plain numbers. Reading is recorded, and writing is not.
 /// \{
+
+/// As that of plain numbers. Reading is recorded, and writing is not.
 template <class N>
 constexpr std::to_chars_result to_chars(char* first, char* last, recorded_number<N> x) noexcept {
   return fixproof::to_chars(first, last, x.value_);
@@ -100,6 +101,7 @@ struct std::common_type<fixproof::recorded_number<N>, Int> {
   /// The recorded number.
   using type = fixproof::recorded_number<N>;
 };
+/// The same with the integer first.
 template <fixproof::detail::integer Int, class N>
 struct std::common_type<Int, fixproof::recorded_number<N>> {
   /// The recorded number.
