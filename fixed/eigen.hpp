@@ -12,7 +12,7 @@
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
-#include "fixed/trig.hpp"
+#include "fixed/sine.hpp"
 
 /// What Eigen leaves to the authors of scalar types.
 namespace Eigen {

@@ -20,8 +20,8 @@
 /// fixed/formats.hpp names the other formats, from 8 to 64 bits.
 ///
 /// Under -ffreestanding this header omits everything that needs a run-time library: text and
-/// streams (fixed/text.hpp), std::format (fixed/format.hpp) and exceptions (fixed/error.hpp). It
-/// then includes only `<array>`, `<bit>`, `<cfloat>`, `<compare>`, `<concepts>`, `<cstddef>`,
+/// streams (fixed/text.hpp), std::format (fixed/std_format.hpp) and exceptions (fixed/error.hpp).
+/// It then includes only `<array>`, `<bit>`, `<cfloat>`, `<compare>`, `<concepts>`, `<cstddef>`,
 /// `<cstdint>`, `<limits>`, `<numbers>`, `<optional>`, `<type_traits>` and `<utility>`. An
 /// operation that would throw executes a trap instruction. All arithmetic is integer; only
 /// conversions from and to float or double use floating-point registers.
@@ -46,14 +46,14 @@
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 #include "fixed/power.hpp"
+#include "fixed/sine.hpp"
 #include "fixed/traits.hpp"
-#include "fixed/trig.hpp"
 #include "fixed/trigonometry.hpp"
 #include "fixed/version.hpp"
 #include "fixed/wide.hpp"
 
 #if __STDC_HOSTED__
 #include "fixed/error.hpp"
-#include "fixed/format.hpp"
+#include "fixed/std_format.hpp"
 #include "fixed/text.hpp"
 #endif

@@ -5,7 +5,7 @@
 # The file has three parts:
 #   1. fixed/fixed.hpp with every header of this library in the place where it is included first, but those of functions
 #      of real numbers, which would make the file a third larger;
-#   2. fixed/format.hpp, outside the include guard: including the file again after fmt adds fmt's
+#   2. fixed/std_format.hpp, outside the include guard: including the file again after fmt adds fmt's
 #      formatter, as including that header again does;
 #   3. fixed/batch/batch.hpp, fixed/batch/radian.hpp and fixed/batch/conversions.hpp, if FIXED_BATCH is defined. Their
 #      vector code is compiled once for each instruction set, so it comes first and the file
@@ -55,7 +55,7 @@ function(read_header header result)
 endfunction()
 
 # expand(TEXT RESULT): the text with the headers that it includes and `done` does not have.
-set(done fixed/angle.hpp fixed/exponential.hpp fixed/format.hpp fixed/power.hpp fixed/trigonometry.hpp)
+set(done fixed/angle.hpp fixed/exponential.hpp fixed/std_format.hpp fixed/power.hpp fixed/trigonometry.hpp)
 # A function, because a macro would evaluate the backslashes of the text again.
 function(expand start result)
   set(text "${start}")
@@ -79,7 +79,7 @@ endfunction()
 
 set(parts fixed/batch/detail/parts.hpp)
 expand("\n#include \"fixed/fixed.hpp\"" number)
-read_header(fixed/format.hpp format)
+read_header(fixed/std_format.hpp format)
 string(REGEX REPLACE "\n#include \"fixed/[^\n]*" "" format "${format}")
 read_header(${parts} lanes)
 expand("${lanes}" lanes)

@@ -7,7 +7,7 @@
 /// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
 /// an overflow_error under overflow::trap. Under every other policy it saturates.
 ///
-/// fixed/trig.hpp has sin(), cos() and sin_cos() of radians in 16.16 and 8.8.
+/// fixed/sine.hpp has sin(), cos() and sin_cos() of radians in 16.16 and 8.8.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
-#include "fixed/trig.hpp"
+#include "fixed/sine.hpp"
 
 #if defined(FIXED_SMALL)
 #include "fixed/detail/digit_phase.hpp"

@@ -15,7 +15,7 @@
 #include <type_traits>
 
 #include "fixed/fixed.hpp"
-#include "fixed/format.hpp"
+#include "fixed/std_format.hpp"
 #include "fuzz/finding.hpp"
 #include "fuzz/oracle_rule.hpp"
 #include "fuzz/words.hpp"

@@ -1,5 +1,5 @@
 /// @file
-/// Sines and cosines of many angles in radians, bit-identical to fixed/trig.hpp and several times
+/// Sines and cosines of many angles in radians, bit-identical to fixed/sine.hpp and several times
 /// as fast with AVX2 or AVX-512. NEON registers compute them, too. Not part of fixed/fixed.hpp.
 ///
 /// Spans and paths are those of fixed/batch/batch.hpp.

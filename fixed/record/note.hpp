@@ -15,7 +15,7 @@
 #include "fixed/number.hpp"
 #include "fixed/record/layout.hpp"
 #include "fixed/record/log.hpp"
-#include "fixed/trig.hpp"
+#include "fixed/sine.hpp"
 
 namespace fixproof::record::detail {
 

@@ -110,7 +110,7 @@ TEST(Radian, TheSameUnderEveryPolicy) {
   expect_as_q16_16<q16_16_i8088_unrounded>();
 }
 
-// The examples of fixed/trig.hpp and other known values.
+// The examples of fixed/sine.hpp and other known values.
 static_assert(noexcept(sin(q16_16_trapping())) && noexcept(sin_cos(q8_8())));
 static_assert(sin(q16_16(1)) == q16_16(0.84147098480789650665));
 static_assert(sin(q16_16(-32768)).raw() == -60808);  // -60807.99

@@ -4,7 +4,7 @@
 // The order matters: the test needs fmt after fixed, so do not sort the includes.
 #include <fmt/format.h>
 
-#include "fixed/format.hpp"
+#include "fixed/std_format.hpp"
 
 namespace {
 
