@@ -43,27 +43,27 @@ class Marks {
 };
 
 template <class Number>
-std::vector<Number> column(const Batch& batch, std::size_t words, std::size_t which) {
-  std::vector<Number> numbers(batch.endings.size());
+std::vector<Number> column(const Cases& asked, std::size_t words, std::size_t which) {
+  std::vector<Number> numbers(asked.endings.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    numbers[i] = number_of<Number>(batch.in[i * words + which]);
+    numbers[i] = number_of<Number>(asked.in[i * words + which]);
   }
   return numbers;
 }
 
 /// Answers all cases in one batch. All of them are broken if the report disagrees with the marks.
 template <class Number>
-void answer_column(cases::Operation operation, fixproof::batch::path path, const Batch& batch) {
+void answer_column(cases::Operation operation, fixproof::batch::path path, const Cases& asked) {
   const std::size_t words = cases::words_in(operation);
-  const auto a = column<Number>(batch, words, 0);
+  const auto a = column<Number>(asked, words, 0);
   std::vector<Number> results(a.size());
   const Marks marks(a.size());
   const fixproof::batch::options how{path, marks.all()};
   fixproof::batch::report report;
   if (operation == cases::Operation::mul) {
-    report = fixproof::batch::multiply(a, column<Number>(batch, words, 1), results, how);
+    report = fixproof::batch::multiply(a, column<Number>(asked, words, 1), results, how);
   } else if (operation == cases::Operation::div) {
-    report = fixproof::batch::divide(a, column<Number>(batch, words, 1), results, how);
+    report = fixproof::batch::divide(a, column<Number>(asked, words, 1), results, how);
   } else if (operation == cases::Operation::sqrt) {
     report = fixproof::batch::sqrt(a, results, how);
   } else if (operation == cases::Operation::sin) {
@@ -73,9 +73,9 @@ void answer_column(cases::Operation operation, fixproof::batch::path path, const
   }
   const bool sound = marks.agree(report);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    batch.out[i] = word_of(results[i]);
+    asked.out[i] = word_of(results[i]);
     const bool fault = operation == cases::Operation::div && marks.all()[i];
-    batch.endings[i] = !sound ? Ending::broken : fault ? Ending::divide_error : Ending::value;
+    asked.endings[i] = !sound ? Ending::broken : fault ? Ending::divide_error : Ending::value;
   }
 }
 
@@ -83,23 +83,23 @@ void answer_column(cases::Operation operation, fixproof::batch::path path, const
 /// and those of the cases after it. The place of the vertex rotates, and blocks alternate between
 /// interleaved vertices and separate arrays. The policies wrap, so any report or mark is an error.
 template <class Number>
-void answer_transforms(fixproof::batch::path path, const Batch& batch) {
+void answer_transforms(fixproof::batch::path path, const Cases& asked) {
   constexpr std::size_t block = 16;  // the lanes of the widest registers
   constexpr std::size_t words = 15;
-  const std::size_t cases = batch.endings.size();
+  const std::size_t cases = asked.endings.size();
   std::array<std::array<Number, 3>, block> in;
   std::array<std::array<Number, block>, 3> columns;
   const Marks marks(block);
   for (std::size_t i = 0; i < cases; ++i) {
     std::array<std::array<Number, 4>, 3> rows;
     for (std::size_t k = 0; k < 12; ++k) {
-      rows[k / 4][k % 4] = number_of<Number>(batch.in[i * words + k]);
+      rows[k / 4][k % 4] = number_of<Number>(asked.in[i * words + k]);
     }
     const std::size_t place = i % block;
     for (std::size_t k = 0; k < block; ++k) {
       const std::size_t other = (i + k) % cases;
       for (std::size_t c = 0; c < 3; ++c) {
-        const auto x = number_of<Number>(batch.in[other * words + 12 + c]);
+        const auto x = number_of<Number>(asked.in[other * words + 12 + c]);
         in[(place + k) % block][c] = x;
         columns[c][(place + k) % block] = x;
       }
@@ -114,10 +114,10 @@ void answer_transforms(fixproof::batch::path path, const Batch& batch) {
       report = fixproof::batch::transform(rows, x, y, z, x, y, z, how);
     }
     for (std::size_t c = 0; c < 3; ++c) {
-      batch.out[3 * i + c] = word_of(interleaved ? in[place][c] : columns[c][place]);
+      asked.out[3 * i + c] = word_of(interleaved ? in[place][c] : columns[c][place]);
     }
     const bool sound = report.clean() && marks.agree(report);
-    batch.endings[i] = sound ? Ending::value : Ending::broken;
+    asked.endings[i] = sound ? Ending::value : Ending::broken;
   }
 }
 
@@ -154,12 +154,12 @@ class BatchParty final : public Party {
            (v.operation == mul || v.operation == div || v.operation == sqrt || v.operation == sin ||
             v.operation == cos || v.operation == xformvec);
   }
-  void fill(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Cases& asked) const override {
     with_number(v, [&]<class Number>(std::type_identity<Number> /*type*/) {
       if (v.operation == cases::Operation::xformvec) {
-        answer_transforms<Number>(path_, batch);
+        answer_transforms<Number>(path_, asked);
       } else {
-        answer_column<Number>(v.operation, path_, batch);
+        answer_column<Number>(v.operation, path_, asked);
       }
     });
   }

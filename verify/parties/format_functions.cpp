@@ -69,16 +69,16 @@ Number computed(Operation operation, Number x, Number y, Number z) {
 
 }  // namespace
 
-void answer_function_exactly(const cases::Variant& v, const Batch& batch) {
+void answer_function_exactly(const cases::Variant& v, const Cases& asked) {
   const auto format = v.format.as<oracle::Format>();
   if (v.operation == Operation::hypot3) {
-    return each_case_in(v, batch, [&](const Operands& in) -> Result {
+    return each_case_in(v, asked, [&](const Operands& in) -> Result {
       const auto ulps = [&](std::size_t i) { return oracle::ulps(in.at(i), format); };
       return oracle::saturate(oracle::nearest_length(ulps(0), ulps(1), ulps(2)), format);
     });
   }
   const Function function = function_of(v.operation);
-  each_number(v, batch, [&](std::uint64_t a, std::uint64_t b) -> Result {
+  each_number(v, asked, [&](std::uint64_t a, std::uint64_t b) -> Result {
     const oracle::Integer x = oracle::ulps(a, format);
     const auto ulps = oracle::nearest(function, x, oracle::ulps(b, format), format.fraction_bits,
                                       oracle::Rounding::half_up);
@@ -86,11 +86,11 @@ void answer_function_exactly(const cases::Variant& v, const Batch& batch) {
   });
 }
 
-void answer_function_fast(const cases::Variant& v, const Batch& batch) {
+void answer_function_fast(const cases::Variant& v, const Cases& asked) {
   const auto format = v.format.as<oracle::Format>();
   if (v.operation == Operation::hypot3) {
     const auto most = static_cast<std::uint64_t>(oracle::highest(format));
-    return each_case_in(v, batch, [&](const Operands& in) -> Result {
+    return each_case_in(v, asked, [&](const Operands& in) -> Result {
       return std::min(oracle::fast::nearest_length(in[0], in[1], in[2], format), most);
     });
   }
@@ -102,7 +102,7 @@ void answer_function_fast(const cases::Variant& v, const Batch& batch) {
   const auto ulps_of = [&](std::uint64_t word) {
     return static_cast<std::int64_t>((word ^ sign) - sign);
   };
-  each_number(v, batch, [&](std::uint64_t a, std::uint64_t b) -> Result {
+  each_number(v, asked, [&](std::uint64_t a, std::uint64_t b) -> Result {
     const std::int64_t x = ulps_of(a);
     const auto ulps = oracle::fast::nearest(function, x, ulps_of(b), format.fraction_bits,
                                             oracle::Rounding::half_up);
@@ -112,10 +112,10 @@ void answer_function_fast(const cases::Variant& v, const Batch& batch) {
   });
 }
 
-void answer_function_by_type(const cases::Variant& v, const Batch& batch) {
+void answer_function_by_type(const cases::Variant& v, const Cases& asked) {
   with_number_in(v.format, [&]<class Number>(std::type_identity<Number> /*type*/) {
     if constexpr (sizeof(typename Number::raw_type) <= sizeof(std::uint32_t)) {
-      each_case_in(v, batch, [&](const Operands& in) -> Result {
+      each_case_in(v, asked, [&](const Operands& in) -> Result {
         return bits_of(computed(v.operation, number_from<Number>(in[0]), number_from<Number>(in[1]),
                                 number_from<Number>(in[2])));
       });

@@ -22,9 +22,9 @@ Integer nearest_double(const Integer& value) {
 }
 
 template <class Int>
-void answer_in(const cases::Variant& v, const Batch& batch) {
+void answer_in(const cases::Variant& v, const Cases& asked) {
   const auto format = v.format.as<oracle::Format>();
-  each_number(v, batch, [&](LongWord a, LongWord b) -> Result {
+  each_number(v, asked, [&](LongWord a, LongWord b) -> Result {
     switch (v.operation) {
       case Operation::add:
         return oracle::wrap<Int>(oracle::ulps<Int>(a, format) + oracle::ulps<Int>(b, format),
@@ -53,19 +53,19 @@ void answer_in(const cases::Variant& v, const Batch& batch) {
 
 }  // namespace
 
-void answer_exactly(const cases::Variant& v, const Batch& batch) {
-  if (cases::is_function(v.operation)) return answer_function_exactly(v, batch);
-  if (cases::is_quotient_function(v.operation)) return answer_quotient_exactly(v, batch);
-  return v.format.word_bits <= 32 ? answer_in<oracle::Wide>(v, batch)
-                                  : answer_in<Integer>(v, batch);
+void answer_exactly(const cases::Variant& v, const Cases& asked) {
+  if (cases::is_function(v.operation)) return answer_function_exactly(v, asked);
+  if (cases::is_quotient_function(v.operation)) return answer_quotient_exactly(v, asked);
+  return v.format.word_bits <= 32 ? answer_in<oracle::Wide>(v, asked)
+                                  : answer_in<Integer>(v, asked);
 }
 
-void answer_fast(const cases::Variant& v, const Batch& batch) {
-  if (cases::is_function(v.operation)) return answer_function_fast(v, batch);
-  if (cases::is_quotient_function(v.operation)) return answer_quotient_fast(v, batch);
+void answer_fast(const cases::Variant& v, const Cases& asked) {
+  if (cases::is_function(v.operation)) return answer_function_fast(v, asked);
+  if (cases::is_quotient_function(v.operation)) return answer_quotient_fast(v, asked);
   const auto format = v.format.as<oracle::Format>();
   const std::uint64_t ones = cases::all_ones(v.format);
-  const auto each = [&](const auto& answer) { each_number(v, batch, answer); };
+  const auto each = [&](const auto& answer) { each_number(v, asked, answer); };
   switch (v.operation) {
     case Operation::add:
       return each([&](LongWord a, LongWord b) -> Result { return (a + b) & ones; });

@@ -25,12 +25,12 @@ Result result_of(const Call& call) {
 }
 
 template <class Number>
-void answer_reporting(const cases::Variant& v, const Batch& batch) {
+void answer_reporting(const cases::Variant& v, const Cases& asked) {
   // Differs from the type's own policy only for a zero divisor, which it reports.
   constexpr fixproof::policy reporting{.fault = fixproof::divide_fault::zero_divisor};
   using Reporting = fixproof::with_policy<Number, reporting>;
   const auto each = [&](const auto& function) {
-    each_case_in(v, batch, [&](const Operands& in) {
+    each_case_in(v, asked, [&](const Operands& in) {
       return result_of([&] {
         return function(number_from<Reporting>(in[0]), number_from<Reporting>(in[1]),
                         number_from<Reporting>(in[2]));
@@ -51,9 +51,9 @@ void answer_reporting(const cases::Variant& v, const Batch& batch) {
 
 }  // namespace
 
-void answer_quotient_exactly(const cases::Variant& v, const Batch& batch) {
+void answer_quotient_exactly(const cases::Variant& v, const Cases& asked) {
   const auto format = v.format.as<oracle::Format>();
-  each_case_in(v, batch, [&](const Operands& in) -> Result {
+  each_case_in(v, asked, [&](const Operands& in) -> Result {
     const auto x = oracle::ulps(in[0], format);
     const auto y = oracle::ulps(in[1], format);
     const auto result = v.operation == Operation::fmod ? oracle::truncated_remainder(x, y)
@@ -66,9 +66,9 @@ void answer_quotient_exactly(const cases::Variant& v, const Batch& batch) {
   });
 }
 
-void answer_quotient_fast(const cases::Variant& v, const Batch& batch) {
+void answer_quotient_fast(const cases::Variant& v, const Cases& asked) {
   const auto format = v.format.as<oracle::Format>();
-  const auto each = [&](const auto& function) { each_case_in(v, batch, function); };
+  const auto each = [&](const auto& function) { each_case_in(v, asked, function); };
   switch (v.operation) {
     case Operation::fmod:
       return each([&](const Operands& in) -> Result {
@@ -86,9 +86,9 @@ void answer_quotient_fast(const cases::Variant& v, const Batch& batch) {
   }
 }
 
-void answer_quotient_by_type(const cases::Variant& v, const Batch& batch) {
+void answer_quotient_by_type(const cases::Variant& v, const Cases& asked) {
   with_number_in(v.format, [&]<class Number>(std::type_identity<Number> /*type*/) {
-    answer_reporting<Number>(v, batch);
+    answer_reporting<Number>(v, asked);
   });
 }
 

@@ -22,9 +22,9 @@ Result through_text(Number x) {
 }
 
 template <class Number>
-void answer(const cases::Variant& v, const Batch& batch) {
+void answer(const cases::Variant& v, const Cases& asked) {
   const auto each = [&](const auto& one) {
-    each_number(v, batch, [&](std::uint64_t a, std::uint64_t b) -> Result {
+    each_number(v, asked, [&](std::uint64_t a, std::uint64_t b) -> Result {
       return one(number_from<Number>(a), number_from<Number>(b));
     });
   };
@@ -57,11 +57,11 @@ bool is_named(const cases::Format& format) {
   return with_number_in(format, [](auto /*type*/) {});
 }
 
-void answer_by_type(const cases::Variant& v, const Batch& batch) {
-  if (cases::is_function(v.operation)) return answer_function_by_type(v, batch);
-  if (cases::is_quotient_function(v.operation)) return answer_quotient_by_type(v, batch);
+void answer_by_type(const cases::Variant& v, const Cases& asked) {
+  if (cases::is_function(v.operation)) return answer_function_by_type(v, asked);
+  if (cases::is_quotient_function(v.operation)) return answer_quotient_by_type(v, asked);
   with_number_in(v.format, [&]<class Number>(std::type_identity<Number> /*type*/) {
-    answer<Number>(v, batch);
+    answer<Number>(v, asked);
   });
 }
 

@@ -42,49 +42,49 @@ constexpr bool is_standard(const cases::Variant& v) {
 /// Calls `answer` with the array of the operands of each case, at most three, and stores its
 /// result. A case without one is a divide error.
 template <class OneAnswer>
-void each_case_in(const cases::Variant& v, const Batch& batch, const OneAnswer& answer) {
+void each_case_in(const cases::Variant& v, const Cases& asked, const OneAnswer& answer) {
   const std::size_t each = cases::words_per_number(v.format);
   const std::size_t in = cases::words_in(v);
   const std::size_t operands = cases::words_in(v.operation);
   const auto number = [&](std::size_t at) {
-    const std::uint64_t low = batch.in[at];
-    return each == 1 ? low : low | std::uint64_t{batch.in[at + 1]} << 32U;
+    const std::uint64_t low = asked.in[at];
+    return each == 1 ? low : low | std::uint64_t{asked.in[at + 1]} << 32U;
   };
-  for (std::size_t i = 0; i < batch.endings.size(); ++i) {
+  for (std::size_t i = 0; i < asked.endings.size(); ++i) {
     std::array<std::uint64_t, 3> one{};
     for (std::size_t k = 0; k < operands; ++k) one[k] = number(i * in + k * each);
     const std::optional<std::uint64_t> result = answer(one);
-    batch.endings[i] = result ? Ending::value : Ending::divide_error;
-    batch.out[i * each] = static_cast<std::uint32_t>(result.value_or(0));
-    if (each == 2) batch.out[i * 2 + 1] = static_cast<std::uint32_t>(result.value_or(0) >> 32U);
+    asked.endings[i] = result ? Ending::value : Ending::divide_error;
+    asked.out[i * each] = static_cast<std::uint32_t>(result.value_or(0));
+    if (each == 2) asked.out[i * 2 + 1] = static_cast<std::uint32_t>(result.value_or(0) >> 32U);
   }
 }
 
 /// The same, with the first two operands as arguments.
 template <class OneAnswer>
-void each_number(const cases::Variant& v, const Batch& batch, const OneAnswer& answer) {
-  each_case_in(v, batch,
+void each_number(const cases::Variant& v, const Cases& asked, const OneAnswer& answer) {
+  each_case_in(v, asked,
                [&](const std::array<std::uint64_t, 3>& in) { return answer(in[0], in[1]); });
 }
 
 /// The oracle with integers of any size.
-void answer_exactly(const cases::Variant& v, const Batch& batch);
+void answer_exactly(const cases::Variant& v, const Cases& asked);
 /// The oracle with built-in integers, for words of at most 32 bits.
-void answer_fast(const cases::Variant& v, const Batch& batch);
+void answer_fast(const cases::Variant& v, const Cases& asked);
 
 /// The oracles of functions.
-void answer_function_exactly(const cases::Variant& v, const Batch& batch);
-void answer_function_fast(const cases::Variant& v, const Batch& batch);
+void answer_function_exactly(const cases::Variant& v, const Cases& asked);
+void answer_function_fast(const cases::Variant& v, const Cases& asked);
 
 /// The oracles of remainders and of the quotient of a product.
-void answer_quotient_exactly(const cases::Variant& v, const Batch& batch);
-void answer_quotient_fast(const cases::Variant& v, const Batch& batch);
+void answer_quotient_exactly(const cases::Variant& v, const Cases& asked);
+void answer_quotient_fast(const cases::Variant& v, const Cases& asked);
 
 /// Tells whether fixed/formats.hpp names the format.
 bool is_named(const cases::Format& format);
 /// The type in a named format.
-void answer_by_type(const cases::Variant& v, const Batch& batch);
-void answer_function_by_type(const cases::Variant& v, const Batch& batch);
-void answer_quotient_by_type(const cases::Variant& v, const Batch& batch);
+void answer_by_type(const cases::Variant& v, const Cases& asked);
+void answer_function_by_type(const cases::Variant& v, const Cases& asked);
+void answer_quotient_by_type(const cases::Variant& v, const Cases& asked);
 
 }  // namespace fixproof::parties

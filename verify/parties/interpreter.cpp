@@ -29,7 +29,7 @@ Ending answer(std::span<const x86::Instruction> code, x86::CallMachine<routine, 
 }
 
 template <x86::Routine routine, int word_bits>
-void answer_all(std::span<const x86::Instruction> code, const Batch& batch) {
+void answer_all(std::span<const x86::Instruction> code, const Cases& asked) {
   constexpr auto in = static_cast<std::size_t>(x86::arity(routine).in);
   constexpr auto out = static_cast<std::size_t>(x86::arity(routine).out);
   x86::CallMachine<routine, word_bits> fresh;
@@ -37,20 +37,20 @@ void answer_all(std::span<const x86::Instruction> code, const Batch& batch) {
   for (std::int32_t at = 0; at < x86::detail::stack_top; at += x86::detail::bytes_of_value) {
     x86::detail::store(fresh, at, 0x6D2B79F5U * static_cast<std::uint32_t>(at + 1));
   }
-  for (std::size_t i = 0; i < batch.endings.size(); ++i) {
+  for (std::size_t i = 0; i < asked.endings.size(); ++i) {
     // Each case starts from a fresh machine, because a broken program can write anywhere.
     auto machine = fresh;
-    batch.endings[i] = answer<routine, word_bits>(code, machine, batch.in.subspan(i * in, in),
-                                                  batch.out.subspan(i * out, out));
+    asked.endings[i] = answer<routine, word_bits>(code, machine, asked.in.subspan(i * in, in),
+                                                  asked.out.subspan(i * out, out));
   }
 }
 
-void answer(const cases::Variant& v, std::span<const x86::Instruction> code, const Batch& batch) {
+void answer(const cases::Variant& v, std::span<const x86::Instruction> code, const Cases& asked) {
   x86::with_routine(machine_code::key_of(v).routine, [&]<x86::Routine routine> {
     if constexpr (routine == x86::Routine::mul || routine == x86::Routine::div) {
-      if (v.format == cases::q8_8) return answer_all<routine, 8>(code, batch);
+      if (v.format == cases::q8_8) return answer_all<routine, 8>(code, asked);
     }
-    answer_all<routine, 16>(code, batch);
+    answer_all<routine, 16>(code, asked);
   });
 }
 
@@ -59,8 +59,8 @@ class Interpreter final : public Party {
   [[nodiscard]] std::string_view name() const override { return "interpreter"; }
   [[nodiscard]] std::string identity() const override { return "the listings, step by step"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
-  void fill(const cases::Variant& v, const Batch& batch) const override {
-    parties::answer(v, program_of(v).instructions(), batch);
+  void fill(const cases::Variant& v, const Cases& asked) const override {
+    parties::answer(v, program_of(v).instructions(), asked);
   }
 };
 
@@ -71,8 +71,8 @@ class InterpreterOf final : public Party {
   [[nodiscard]] std::string_view name() const override { return name_; }
   [[nodiscard]] std::string identity() const override { return "one program, step by step"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return has_program(v); }
-  void fill(const cases::Variant& v, const Batch& batch) const override {
-    parties::answer(v, program_.instructions(), batch);
+  void fill(const cases::Variant& v, const Cases& asked) const override {
+    parties::answer(v, program_.instructions(), asked);
   }
 
  private:

@@ -56,29 +56,29 @@ class Calling : private boost::noncopyable {
 
 /// Calls `one(i)` for every case from `first` on. A case that ends in a fault gets its ending, and
 /// the rest goes on.
-void guard_each(const Batch& batch, const std::function<void(std::size_t)>& one) {
+void guard_each(const Cases& asked, const std::function<void(std::size_t)>& one) {
   // Volatile, because it must survive a fault.
   volatile std::size_t next = 0;
-  while (next < batch.endings.size()) {
+  while (next < asked.endings.size()) {
     const int signal = machine_code::signal_of([&] {
-      while (next < batch.endings.size()) {
+      while (next < asked.endings.size()) {
         one(next);
-        batch.endings[next] = Ending::value;
+        asked.endings[next] = Ending::value;
         next = next + 1;
       }
     });
     if (signal == 0) return;
-    batch.endings[next] = signal == SIGFPE ? Ending::divide_error : Ending::broken;
+    asked.endings[next] = signal == SIGFPE ? Ending::divide_error : Ending::broken;
     next = next + 1;
   }
 }
 
-/// The operands of a batch as one array of W each, and room for the results.
+/// The operands of the cases as one array of W each, and room for the results.
 template <class W>
 class Columns {
  public:
-  Columns(const cases::Variant& v, const Batch& batch)
-      : batch_(batch), count_(batch.endings.size()), results_(count_) {
+  Columns(const cases::Variant& v, const Cases& asked)
+      : asked_(asked), count_(asked.endings.size()), results_(count_) {
     const std::size_t each = cases::words_per_number(v.format);
     const std::size_t operands = cases::words_in(v.operation);
     for (std::size_t k = 0; k < operands; ++k) {
@@ -86,8 +86,8 @@ class Columns {
       column.resize(count_);
       for (std::size_t i = 0; i < count_; ++i) {
         const std::size_t at = (i * operands + k) * each;
-        std::uint64_t word = batch.in[at];
-        if (each == 2) word |= std::uint64_t{batch.in[at + 1]} << 32U;
+        std::uint64_t word = asked.in[at];
+        if (each == 2) word |= std::uint64_t{asked.in[at + 1]} << 32U;
         column[i] = static_cast<W>(word);
       }
     }
@@ -104,16 +104,16 @@ class Columns {
     for (std::size_t i = 0; i < count_; ++i) {
       const auto word = std::uint64_t{static_cast<Bits>(results_[i])};
       if constexpr (sizeof(W) == 8) {
-        batch_.out[2 * i] = static_cast<std::uint32_t>(word);
-        batch_.out[2 * i + 1] = static_cast<std::uint32_t>(word >> 32U);
+        asked_.out[2 * i] = static_cast<std::uint32_t>(word);
+        asked_.out[2 * i + 1] = static_cast<std::uint32_t>(word >> 32U);
       } else {
-        batch_.out[i] = static_cast<std::uint32_t>(word);
+        asked_.out[i] = static_cast<std::uint32_t>(word);
       }
     }
   }
 
  private:
-  const Batch& batch_;
+  const Cases& asked_;
   std::size_t count_;
   std::array<std::vector<W>, 3> columns_;
   std::vector<W> results_;
@@ -126,21 +126,21 @@ Type* as(void (*function)()) {
 }
 
 template <class W>
-void call_for_each(void (*function)(), const cases::Variant& v, const Batch& batch) {
-  Columns<W> columns(v, batch);
+void call_for_each(void (*function)(), const cases::Variant& v, const Cases& asked) {
+  Columns<W> columns(v, asked);
   const std::array<const W*, 3> in = columns.operands();
   W* results = columns.results();
   switch (cases::words_in(v.operation)) {
     case 1:
-      guard_each(batch, [=, f = as<W(W)>(function)](std::size_t i) { results[i] = f(in[0][i]); });
+      guard_each(asked, [=, f = as<W(W)>(function)](std::size_t i) { results[i] = f(in[0][i]); });
       break;
     case 2:
-      guard_each(batch, [=, f = as<W(W, W)>(function)](std::size_t i) {
+      guard_each(asked, [=, f = as<W(W, W)>(function)](std::size_t i) {
         results[i] = f(in[0][i], in[1][i]);
       });
       break;
     default:
-      guard_each(batch, [=, f = as<W(W, W, W)>(function)](std::size_t i) {
+      guard_each(asked, [=, f = as<W(W, W, W)>(function)](std::size_t i) {
         results[i] = f(in[0][i], in[1][i], in[2][i]);
       });
       break;
@@ -149,8 +149,8 @@ void call_for_each(void (*function)(), const cases::Variant& v, const Batch& bat
 }
 
 template <class W>
-void call_for_all(void (*function)(), const cases::Variant& v, const Batch& batch) {
-  Columns<W> columns(v, batch);
+void call_for_all(void (*function)(), const cases::Variant& v, const Cases& asked) {
+  Columns<W> columns(v, asked);
   const std::array<const W*, 3> in = columns.operands();
   const auto call = [&](std::size_t first, std::size_t count) {
     W* results = columns.results() + first;
@@ -165,23 +165,23 @@ void call_for_all(void (*function)(), const cases::Variant& v, const Batch& batc
             in[0] + first, in[1] + first, in[2] + first, results, count);
     }
   };
-  const std::size_t count = batch.endings.size();
+  const std::size_t count = asked.endings.size();
   if (machine_code::signal_of([&] { call(0, count); }) == 0) {
-    std::fill(batch.endings.begin(), batch.endings.end(), Ending::value);
+    std::fill(asked.endings.begin(), asked.endings.end(), Ending::value);
   } else {
     // Finds out which cases fault.
-    guard_each(batch, [&](std::size_t i) { call(i, 1); });
+    guard_each(asked, [&](std::size_t i) { call(i, 1); });
   }
   columns.store_results();
 }
 
 /// CosSin and the matrices, which exist in 16.16 alone.
-void call_routine(void (*function)(), const cases::Variant& v, const Batch& batch) {
+void call_routine(void (*function)(), const cases::Variant& v, const Cases& asked) {
   using Word = std::int32_t;
   const std::size_t in = cases::words_in(v.operation);
   const std::size_t out = cases::words_out(v.operation);
-  guard_each(batch, [&](std::size_t i) {
-    const std::uint32_t* from = batch.in.data() + i * in;
+  guard_each(asked, [&](std::size_t i) {
+    const std::uint32_t* from = asked.in.data() + i * in;
     std::array<Word, cases::max_words_in> operands{};
     std::transform(from, from + in, operands.begin(), [](auto w) { return static_cast<Word>(w); });
     std::array<Word, cases::max_words_out> results{};
@@ -194,7 +194,7 @@ void call_routine(void (*function)(), const cases::Variant& v, const Batch& batc
                                                           results.data());
     }
     std::transform(results.begin(), results.begin() + static_cast<std::ptrdiff_t>(out),
-                   batch.out.data() + i * out,
+                   asked.out.data() + i * out,
                    [](Word w) { return static_cast<std::uint32_t>(w); });
   });
 }
@@ -260,11 +260,11 @@ class LibraryFunction final : public Party {
     if (cases::is_conversion(v.operation)) return false;
     return is_of_numbers(v.operation) || (!takes_arrays_ && v.format == cases::q16_16);
   }
-  void fill(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Cases& asked) const override {
     const Calling calling;
-    if (!is_of_numbers(v.operation)) return call_routine(address_, v, batch);
+    if (!is_of_numbers(v.operation)) return call_routine(address_, v, asked);
     with_word(v.format, [&]<class W>() {
-      takes_arrays_ ? call_for_all<W>(address_, v, batch) : call_for_each<W>(address_, v, batch);
+      takes_arrays_ ? call_for_all<W>(address_, v, asked) : call_for_each<W>(address_, v, asked);
     });
   }
 

@@ -18,26 +18,26 @@ Ending ending_after(machine_code::CallEnding ending) {
 
 }  // namespace
 
-MachineCalls::MachineCalls(x86model::Routine routine, const Batch& batch)
+MachineCalls::MachineCalls(x86model::Routine routine, const Cases& asked)
     : frame_(machine_code::frame_of(routine)),
       in_(static_cast<std::size_t>(x86model::arity(routine).in)),
       out_(static_cast<std::size_t>(x86model::arity(routine).out)),
-      batch_(batch) {}
+      asked_(asked) {}
 
 void MachineCalls::enter(std::size_t i, machine_code::SegmentMachine& m) {
   thread_local std::uint64_t number = 0;
-  frame_.enter(m, batch_.in.subspan(i * in_, in_));
+  frame_.enter(m, asked_.in.subspan(i * in_, in_));
   machine_code::scramble(m, frame_, number++);
   entered_ = m.registers;
 }
 
 void MachineCalls::leave(std::size_t i, const machine_code::SegmentMachine& m,
                          machine_code::CallEnding ending) {
-  Ending& said = batch_.endings[i];
+  Ending& said = asked_.endings[i];
   said = ending_after(ending);
   if (said != Ending::value) return;
   if (!machine_code::kept_for_caller(entered_, m.registers)) said = Ending::broken;
-  frame_.leave(m, batch_.out.subspan(i * out_, out_));
+  frame_.leave(m, asked_.out.subspan(i * out_, out_));
 }
 
 }  // namespace fixproof::parties

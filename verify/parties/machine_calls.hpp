@@ -1,5 +1,5 @@
 /// @file
-/// The machine-code calls that answer a batch, on any machine.
+/// The machine-code calls that answer a asked, on any machine.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace fixproof::parties {
 /// the registers, flags and results, and must preserve what a C caller relies on.
 class MachineCalls {
  public:
-  MachineCalls(x86model::Routine routine, const Batch& batch);
+  MachineCalls(x86model::Routine routine, const Cases& asked);
 
   void enter(std::size_t i, machine_code::SegmentMachine& m);
   void leave(std::size_t i, const machine_code::SegmentMachine& m, machine_code::CallEnding ending);
@@ -23,7 +23,7 @@ class MachineCalls {
   machine_code::Frame frame_;
   std::size_t in_;
   std::size_t out_;
-  Batch batch_;
+  Cases asked_;
   x86model::Registers<16> entered_;
 };
 

@@ -17,12 +17,12 @@ bool has_machine_code(const cases::Variant& variant);
 /// Returns the processor's name from the operating system; `unknown` if it has none.
 std::string processor_name();
 
-/// Answers a batch by calling `code` in place of the routine. `code` must end, because nothing
+/// Answers cases by calling `code` in place of the routine. `code` must end, because nothing
 /// limits the time of a call; the listings end on every path (`fixproof prove`).
 /// Processor::absence() or Emulator::absence() must be empty.
 void answer_on_silicon(std::span<const std::uint8_t> code, x86model::Routine routine,
-                       const Batch& batch);
+                       const Cases& asked);
 void answer_on_unicorn(std::span<const std::uint8_t> code, x86model::Routine routine,
-                       const Batch& batch);
+                       const Cases& asked);
 
 }  // namespace fixproof::parties

@@ -47,12 +47,12 @@ oracle::TranslationRule translation(const cases::Variant& v) {
 
 /// Calls `one_case(in, out)` for each case; it returns whether the case has a value.
 template <class OneCase>
-void each_case(const cases::Variant& v, const Batch& batch, OneCase one_case) {
+void each_case(const cases::Variant& v, const Cases& asked, OneCase one_case) {
   const std::size_t in = cases::words_in(v.operation);
   const std::size_t out = cases::words_out(v.operation);
-  for (std::size_t i = 0; i < batch.endings.size(); ++i) {
-    const bool valued = one_case(batch.in.subspan(i * in, in), batch.out.subspan(i * out, out));
-    batch.endings[i] = valued ? Ending::value : Ending::divide_error;
+  for (std::size_t i = 0; i < asked.endings.size(); ++i) {
+    const bool valued = one_case(asked.in.subspan(i * in, in), asked.out.subspan(i * out, out));
+    asked.endings[i] = valued ? Ending::value : Ending::divide_error;
   }
 }
 
@@ -90,11 +90,11 @@ class Oracle final : public Party {
     if (!cases::has_routine_format(v)) return exists_in_format(v) && is_standard(v);
     return v.operation != cases::Operation::cossin || v.format == cases::q16_16;
   }
-  void fill(const cases::Variant& v, const Batch& batch) const override {
-    if (!is_of_build(v) && !is_sine_of_routine_format(v)) return answer_exactly(v, batch);
+  void fill(const cases::Variant& v, const Cases& asked) const override {
+    if (!is_of_build(v) && !is_sine_of_routine_format(v)) return answer_exactly(v, asked);
     const auto format = v.format.as<oracle::Format>();
     const Rounding rounding = multiply_rule(v);
-    each_case(v, batch, [&](std::span<const Word> in, std::span<Word> out) {
+    each_case(v, asked, [&](std::span<const Word> in, std::span<Word> out) {
       switch (v.operation) {
         case cases::Operation::mul:
           return store(oracle::mul(in[0], in[1], rounding, format), out);
@@ -131,38 +131,38 @@ class FastOracle final : public Party {
     }
     return v.operation != cases::Operation::cossin;
   }
-  void fill(const cases::Variant& v, const Batch& batch) const override {
-    if (!is_of_build(v) && !is_sine_of_routine_format(v)) return answer_fast(v, batch);
+  void fill(const cases::Variant& v, const Cases& asked) const override {
+    if (!is_of_build(v) && !is_sine_of_routine_format(v)) return answer_fast(v, asked);
     // Each operation has its own loop, because the loop dominates the time of a sweep.
     const auto format = v.format.as<oracle::Format>();
     const Rounding rounding = multiply_rule(v);
     switch (v.operation) {
       case cases::Operation::mul:
-        return each_case(v, batch, [&](auto in, auto out) {
+        return each_case(v, asked, [&](auto in, auto out) {
           return store(oracle::fast::mul(in[0], in[1], rounding, format), out);
         });
       case cases::Operation::div:
-        return each_case(v, batch, [&, rule = divide_rule(v)](auto in, auto out) {
+        return each_case(v, asked, [&, rule = divide_rule(v)](auto in, auto out) {
           return store(oracle::fast::div(in[0], in[1], rule, format), out);
         });
       case cases::Operation::xformvec:
-        return each_case(v, batch, [&](auto in, auto out) {
+        return each_case(v, asked, [&](auto in, auto out) {
           return store(oracle::fast::xform_vec(in.template first<12>(), in.template last<3>(),
                                                rounding, format),
                        out);
         });
       case cases::Operation::concat:
-        return each_case(v, batch, [&](auto in, auto out) {
+        return each_case(v, asked, [&](auto in, auto out) {
           return store(oracle::fast::concat(in.template first<12>(), in.template last<12>(),
                                             rounding, translation(v), format),
                        out);
         });
       case cases::Operation::sin:
-        return each_case(v, batch, [&](auto in, auto out) {
+        return each_case(v, asked, [&](auto in, auto out) {
           return store(oracle::fast::sin(in[0], format.fraction_bits), out);
         });
       case cases::Operation::cos:
-        return each_case(v, batch, [&](auto in, auto out) {
+        return each_case(v, asked, [&](auto in, auto out) {
           return store(oracle::fast::cos(in[0], format.fraction_bits), out);
         });
       default:  // a conversion, which answers() refuses

@@ -10,9 +10,9 @@ namespace fixproof::parties {
 PartyFailure::PartyFailure(std::string_view party, std::string_view reason)
     : std::runtime_error(fmt::format("party '{}' failed: {}", party, reason)) {}
 
-void Party::answer(const cases::Variant& variant, const Batch& batch) const {
+void Party::answer(const cases::Variant& variant, const Cases& asked) const {
   try {
-    fill(variant, batch);
+    fill(variant, asked);
   } catch (const PartyFailure&) {
     throw;
   } catch (const std::bad_alloc&) {

@@ -1,5 +1,5 @@
 /// @file
-/// The interface of a party, which answers batches of cases of one variant.
+/// The interface of a party, which answers cases of one variant.
 #pragma once
 
 #include <boost/noncopyable.hpp>
@@ -25,14 +25,14 @@ enum class Ending : std::uint8_t {
 
 /// Cases to answer and room for the answers. Words are two's complement bits, zero-extended. The
 /// result words of a case that did not end in a value are unspecified.
-struct Batch {
+struct Cases {
   std::span<const std::uint32_t> in;  ///< cases * words_in(variant)
   std::span<std::uint32_t> out;       ///< cases * words_out(variant)
   std::span<Ending> endings;          ///< one per case
 };
 
 /// A party cannot answer, for a reason outside the cases, such as lack of memory. That is never a
-/// mismatch, and no case of its batch counts as compared.
+/// mismatch, and no case that it was asked counts as compared.
 class PartyFailure : public std::runtime_error {
  public:
   PartyFailure(std::string_view party, std::string_view reason);
@@ -50,14 +50,14 @@ class Party : private boost::noncopyable {
   /// Returns why this party cannot answer anything here, in a clause; empty if it can.
   [[nodiscard]] virtual std::string absence() const { return {}; }
   [[nodiscard]] virtual bool answers(const cases::Variant& variant) const = 0;
-  /// Answers every case of the batch. Several threads may call it at once.
+  /// Answers every case. Several threads may call it at once.
   /// @throws PartyFailure, whatever the implementation throws
-  void answer(const cases::Variant& variant, const Batch& batch) const;
+  void answer(const cases::Variant& variant, const Cases& asked) const;
 
  private:
   /// Implements answer(). A program that faults is an answer, Ending::broken; a party that cannot
   /// run it throws.
-  virtual void fill(const cases::Variant& variant, const Batch& batch) const = 0;
+  virtual void fill(const cases::Variant& variant, const Cases& asked) const = 0;
 };
 
 /// Returns the parties of this build, including the absent ones: model (compiled run), interpreter

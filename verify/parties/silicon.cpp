@@ -20,17 +20,17 @@ struct Loaded {
 }  // namespace
 
 void answer_on_silicon(std::span<const std::uint8_t> code, x86model::Routine routine,
-                       const Batch& batch) {
+                       const Cases& asked) {
   thread_local Loaded loaded;
   if (!std::equal(code.begin(), code.end(), loaded.code.begin(), loaded.code.end())) {
     loaded.code.clear();
     loaded.processor.load(code);
     loaded.code.assign(code.begin(), code.end());
   }
-  MachineCalls cases(routine, batch);
+  MachineCalls cases(routine, asked);
   const machine_code::Processor::Calls calls(loaded.processor);
   machine_code::SegmentMachine m(loaded.processor.memory());
-  for (std::size_t i = 0; i < batch.endings.size(); ++i) {
+  for (std::size_t i = 0; i < asked.endings.size(); ++i) {
     cases.enter(i, m);
     const machine_code::CallEnding ending = calls.call(m);
     cases.leave(i, m, ending);
@@ -50,9 +50,9 @@ class Silicon final : public Party {
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     return has_machine_code(v) && absence().empty();
   }
-  void fill(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Cases& asked) const override {
     const machine_code::ProgramKey key = machine_code::key_of(v);
-    answer_on_silicon(machine_code::machine_code(key), key.routine, batch);
+    answer_on_silicon(machine_code::machine_code(key), key.routine, asked);
   }
 };
 

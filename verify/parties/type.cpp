@@ -51,30 +51,30 @@ bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
 }
 
 template <class Number, cases::Operation operation>
-void each_case(const cases::Variant& v, const Batch& batch) {
+void each_case(const cases::Variant& v, const Cases& asked) {
   constexpr std::size_t in = cases::words_in(operation);
   constexpr std::size_t out = cases::words_out(operation);
-  for (std::size_t i = 0; i < batch.endings.size(); ++i) {
-    const bool valued = one_case<Number, operation>(v, batch.in.subspan(i * in, in),
-                                                    batch.out.subspan(i * out, out));
-    batch.endings[i] = valued ? Ending::value : Ending::divide_error;
+  for (std::size_t i = 0; i < asked.endings.size(); ++i) {
+    const bool valued = one_case<Number, operation>(v, asked.in.subspan(i * in, in),
+                                                    asked.out.subspan(i * out, out));
+    asked.endings[i] = valued ? Ending::value : Ending::divide_error;
   }
 }
 
 template <class Number>
-void each_case(const cases::Variant& v, const Batch& batch) {
+void each_case(const cases::Variant& v, const Cases& asked) {
   using enum cases::Operation;
   switch (v.operation) {
     case mul:
-      return each_case<Number, mul>(v, batch);
+      return each_case<Number, mul>(v, asked);
     case div:
-      return each_case<Number, div>(v, batch);
+      return each_case<Number, div>(v, asked);
     case cossin:
-      return each_case<Number, cossin>(v, batch);
+      return each_case<Number, cossin>(v, asked);
     case xformvec:
-      return each_case<Number, xformvec>(v, batch);
+      return each_case<Number, xformvec>(v, asked);
     case concat:
-      return each_case<Number, concat>(v, batch);
+      return each_case<Number, concat>(v, asked);
     default:  // not a routine
       return;
   }
@@ -90,10 +90,10 @@ class Type final : public Party {
     }
     return v.operation != cases::Operation::cossin || v.format == cases::q16_16;
   }
-  void fill(const cases::Variant& v, const Batch& batch) const override {
-    if (!is_of_build(v)) return answer_by_type(v, batch);
+  void fill(const cases::Variant& v, const Cases& asked) const override {
+    if (!is_of_build(v)) return answer_by_type(v, asked);
     with_number(
-        v, [&]<class Number>(std::type_identity<Number> /*type*/) { each_case<Number>(v, batch); });
+        v, [&]<class Number>(std::type_identity<Number> /*type*/) { each_case<Number>(v, asked); });
   }
 };
 

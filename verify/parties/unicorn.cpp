@@ -12,7 +12,7 @@
 namespace fixproof::parties {
 
 void answer_on_unicorn(std::span<const std::uint8_t> code, x86model::Routine routine,
-                       const Batch& batch) {
+                       const Cases& asked) {
   // Other code needs a new emulator, because an emulator caches translated code.
   thread_local std::unique_ptr<machine_code::Emulator> emulator;
   thread_local std::vector<std::uint8_t> loaded;
@@ -22,15 +22,15 @@ void answer_on_unicorn(std::span<const std::uint8_t> code, x86model::Routine rou
     emulator = std::make_unique<machine_code::Emulator>(code);
     loaded.assign(code.begin(), code.end());
   }
-  MachineCalls cases(routine, batch);
+  MachineCalls cases(routine, asked);
   try {
     emulator->run(
-        {.count = batch.endings.size(),
+        {.count = asked.endings.size(),
          .enter = [&](std::size_t i, machine_code::SegmentMachine& m) { cases.enter(i, m); },
          .leave = [&](std::size_t i, const machine_code::SegmentMachine& m,
                       machine_code::CallEnding ending) { cases.leave(i, m, ending); }});
   } catch (...) {
-    // The emulator may have stopped anywhere. The next batch gets a new one.
+    // The emulator may have stopped anywhere. The next call gets a new one.
     emulator.reset();
     throw;
   }
@@ -51,9 +51,9 @@ class Unicorn final : public Party {
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     return has_machine_code(v) && absence().empty();
   }
-  void fill(const cases::Variant& v, const Batch& batch) const override {
+  void fill(const cases::Variant& v, const Cases& asked) const override {
     const machine_code::ProgramKey key = machine_code::key_of(v);
-    answer_on_unicorn(machine_code::machine_code(key), key.routine, batch);
+    answer_on_unicorn(machine_code::machine_code(key), key.routine, asked);
   }
 };
 

@@ -35,9 +35,9 @@ class Counting final : public parties::Party {
   [[nodiscard]] std::string_view name() const override { return party_.name(); }
   [[nodiscard]] std::string identity() const override { return party_.identity(); }
   [[nodiscard]] bool answers(const cases::Variant& v) const override { return party_.answers(v); }
-  void fill(const cases::Variant& v, const parties::Batch& batch) const override {
+  void fill(const cases::Variant& v, const parties::Cases& asked) const override {
     if (batches_-- == 1) stop_ = true;
-    party_.answer(v, batch);
+    party_.answer(v, asked);
   }
 
  private:
@@ -252,8 +252,8 @@ class Foreign final : public parties::Party {
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     return parties::party_named("fast").answers(v);
   }
-  void fill(const cases::Variant& v, const parties::Batch& batch) const override {
-    parties::party_named("fast").answer(v, batch);
+  void fill(const cases::Variant& v, const parties::Cases& asked) const override {
+    parties::party_named("fast").answer(v, asked);
   }
 };
 

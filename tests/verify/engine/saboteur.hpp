@@ -32,12 +32,12 @@ class Saboteur final : public parties::Party {
   [[nodiscard]] bool answers(const cases::Variant& variant) const override {
     return honest_.answers(variant);
   }
-  void fill(const cases::Variant& variant, const parties::Batch& batch) const override {
-    honest_.answer(variant, batch);
+  void fill(const cases::Variant& variant, const parties::Cases& asked) const override {
+    honest_.answer(variant, asked);
     const std::size_t in = cases::words_in(variant);
     const std::size_t out = cases::words_out(variant);
-    for (std::size_t i = 0; i < batch.endings.size(); ++i) {
-      spoil_(batch.in.subspan(i * in, in), batch.out.subspan(i * out, out), batch.endings[i]);
+    for (std::size_t i = 0; i < asked.endings.size(); ++i) {
+      spoil_(asked.in.subspan(i * in, in), asked.out.subspan(i * out, out), asked.endings[i]);
     }
   }
 

@@ -73,7 +73,7 @@ Answers answers_of(const Cases& cases, Answer answer) {
   const std::size_t each = cases::words_out(cases.variant.operation);
   Answers said{std::vector<std::uint32_t>(cases.size() * each),
                std::vector<parties::Ending>(cases.size(), parties::Ending::broken)};
-  answer(parties::Batch{cases.words, said.out, said.endings});
+  answer(parties::Cases{cases.words, said.out, said.endings});
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (said.endings[i] == parties::Ending::value) continue;
     std::fill_n(said.out.begin() + static_cast<std::ptrdiff_t>(i * each), each, 0);
@@ -83,7 +83,7 @@ Answers answers_of(const Cases& cases, Answer answer) {
 
 Answers answers_of(const Cases& cases, const parties::Party& party) {
   return answers_of(cases,
-                    [&](const parties::Batch& batch) { party.answer(cases.variant, batch); });
+                    [&](const parties::Cases& asked) { party.answer(cases.variant, asked); });
 }
 
 Cases cases_for(const cases::Variant& v) {
@@ -109,7 +109,7 @@ Cases cases_for(const cases::Variant& v) {
 }
 
 using AnswerByCode = void (*)(std::span<const std::uint8_t>, x86model::Routine,
-                              const parties::Batch&);
+                              const parties::Cases&);
 
 struct Machine {
   const char* name;
@@ -167,8 +167,8 @@ TEST_P(MachineParty, IsWrongWhereOneByteIs) {
   const auto right = machine_code::machine_code(machine_code::key_of(v));
   std::vector<std::uint8_t> code(right.begin(), right.end());
   const auto say = [&] {
-    return answers_of(cases, [&](const parties::Batch& batch) {
-      GetParam().answer(code, x86model::Routine::mul, batch);
+    return answers_of(cases, [&](const parties::Cases& asked) {
+      GetParam().answer(code, x86model::Routine::mul, asked);
     });
   };
   const Answers model = answers_of(cases, find("model"));
@@ -193,23 +193,23 @@ TEST_P(MachineParty, SeesThatARoutineDoesNotKeepRegisters) {
   // XOR SI,SI and RET, then the same for BP and DI.
   for (const std::uint8_t registers : std::array<std::uint8_t, 3>{0xF6, 0xED, 0xFF}) {
     const std::array<std::uint8_t, 3> code{0x31, registers, 0xC3};
-    const Answers said = answers_of(cases, [&](const parties::Batch& batch) {
-      GetParam().answer(code, x86model::Routine::mul, batch);
+    const Answers said = answers_of(cases, [&](const parties::Cases& asked) {
+      GetParam().answer(code, x86model::Routine::mul, asked);
     });
     EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), parties::Ending::broken), 10);
   }
   // XOR ESI,10000h and RET, then the same for EBP and EDI: only the upper half is lost.
   for (const std::uint8_t registers : std::array<std::uint8_t, 3>{0xF6, 0xF5, 0xF7}) {
     const std::array<std::uint8_t, 8> code{0x66, 0x81, registers, 0x00, 0x00, 0x01, 0x00, 0xC3};
-    const Answers said = answers_of(cases, [&](const parties::Batch& batch) {
-      GetParam().answer(code, x86model::Routine::mul, batch);
+    const Answers said = answers_of(cases, [&](const parties::Cases& asked) {
+      GetParam().answer(code, x86model::Routine::mul, asked);
     });
     EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), parties::Ending::broken), 10);
   }
   // RET 2: dropping the arguments is the caller's task.
   const std::array<std::uint8_t, 3> ret_2{0xC2, 0x02, 0x00};
-  const Answers said = answers_of(cases, [&](const parties::Batch& batch) {
-    GetParam().answer(ret_2, x86model::Routine::mul, batch);
+  const Answers said = answers_of(cases, [&](const parties::Cases& asked) {
+    GetParam().answer(ret_2, x86model::Routine::mul, asked);
   });
   EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), parties::Ending::broken), 10);
 }
@@ -224,8 +224,8 @@ TEST_P(MachineParty, SeesThatARoutineDoesNotWriteItsResults) {
     Cases zeros(v);
     zeros.words.resize(10 * cases::words_in(operation));
     const Answers right = answers_of(zeros, find(GetParam().name));
-    const Answers said = answers_of(zeros, [&](const parties::Batch& batch) {
-      GetParam().answer(code, machine_code::key_of(v).routine, batch);
+    const Answers said = answers_of(zeros, [&](const parties::Cases& asked) {
+      GetParam().answer(code, machine_code::key_of(v).routine, asked);
     });
     for (std::size_t i = 0; i < said.out.size(); ++i) {
       ASSERT_EQ(said.endings[i / cases::words_out(operation)], parties::Ending::value);
@@ -239,8 +239,8 @@ TEST_P(MachineParty, EndsInAFaultForCodeThatIsNone) {
   cases.add(cases::Stream::uniform, 0, 10);
   // UD2.
   const std::array<std::uint8_t, 2> undefined{0x0F, 0x0B};
-  const Answers said = answers_of(cases, [&](const parties::Batch& batch) {
-    GetParam().answer(undefined, x86model::Routine::mul, batch);
+  const Answers said = answers_of(cases, [&](const parties::Cases& asked) {
+    GetParam().answer(undefined, x86model::Routine::mul, asked);
   });
   EXPECT_EQ(std::count(said.endings.begin(), said.endings.end(), parties::Ending::broken), 10);
   // The fault must not affect later calls.

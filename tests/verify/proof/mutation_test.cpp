@@ -125,12 +125,12 @@ class DropsAFault final : public parties::Party {
   [[nodiscard]] std::string_view name() const override { return "broken"; }
   [[nodiscard]] std::string identity() const override { return "a test"; }
   [[nodiscard]] bool answers(const cases::Variant& /*variant*/) const override { return true; }
-  void fill(const cases::Variant& v, const parties::Batch& batch) const override {
-    parties::party_named("model").answer(v, batch);
-    for (std::size_t i = 0; i < batch.endings.size(); ++i) {
-      if (batch.in[2 * i + 1] != 0) continue;
-      batch.endings[i] = parties::Ending::value;
-      batch.out[i] = 0;
+  void fill(const cases::Variant& v, const parties::Cases& asked) const override {
+    parties::party_named("model").answer(v, asked);
+    for (std::size_t i = 0; i < asked.endings.size(); ++i) {
+      if (asked.in[2 * i + 1] != 0) continue;
+      asked.endings[i] = parties::Ending::value;
+      asked.out[i] = 0;
     }
   }
 };

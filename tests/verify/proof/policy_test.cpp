@@ -18,9 +18,9 @@ class Ruled final : public parties::Party {
   [[nodiscard]] std::string_view name() const override { return "ruled"; }
   [[nodiscard]] std::string identity() const override { return "a test"; }
   [[nodiscard]] bool answers(const cases::Variant& /*variant*/) const override { return true; }
-  void fill(const cases::Variant& v, const parties::Batch& batch) const override {
-    for (std::size_t i = 0; i < batch.endings.size(); ++i) {
-      batch.endings[i] = one(v, batch.in.subspan(2 * i, 2), batch.out[i]);
+  void fill(const cases::Variant& v, const parties::Cases& asked) const override {
+    for (std::size_t i = 0; i < asked.endings.size(); ++i) {
+      asked.endings[i] = one(v, asked.in.subspan(2 * i, 2), asked.out[i]);
     }
   }
 
