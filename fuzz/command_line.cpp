@@ -183,7 +183,7 @@ class Alarm {
   timer_t timer_{};
 };
 
-struct Ending {
+struct RunResult {
   int status = 0;
   std::string out;
   std::string err;
@@ -191,7 +191,7 @@ struct Ending {
   bool interrupted = false;
 };
 
-Ending run(const Input& input) {
+RunResult run(const Input& input) {
   static const Folder folder;
   folder.enter(input.file);
   std::istringstream in(input.in);
@@ -200,36 +200,36 @@ Ending run(const Input& input) {
   std::streambuf* const cout = std::cout.rdbuf(out.rdbuf());
   std::cin.clear();
   std::cout.clear();
-  Ending ending;
+  RunResult result;
   std::optional<std::string> thrown;
   {
     const Alarm alarm;
     const fuzz::CapturedOutput out_below(STDOUT_FILENO);  // `gen` writes there
     const fuzz::CapturedOutput err(STDERR_FILENO);
     try {
-      ending.status = cli::run_command_line(input.arguments, cli::add_all_commands);
+      result.status = cli::run_command_line(input.arguments, cli::add_all_commands);
     } catch (const std::exception& error) {
       thrown = error.what();
     }
-    ending.interrupted = interruptions > 0;
-    ending.err = err.text();
-    ending.out = out_below.text();
+    result.interrupted = interruptions > 0;
+    result.err = err.text();
+    result.out = out_below.text();
   }
   std::cin.rdbuf(cin);
   std::cout.rdbuf(cout);
-  ending.files = folder.files();
+  result.files = folder.files();
   folder.leave();
   if (thrown) fuzz::report_finding("thrown: " + *thrown);
-  ending.out += out.str();
-  return ending;
+  result.out += out.str();
+  return result;
 }
 
-[[noreturn]] void report(const Input& input, const Ending& ending, const std::string& what) {
+[[noreturn]] void report(const Input& input, const RunResult& result, const std::string& what) {
   std::string arguments;
   for (const std::string& one : input.arguments) arguments += fmt::format(" '{}'", one);
   constexpr std::size_t most = 2000;
   fuzz::report_finding(fmt::format("{}\n  fixproof{}\n  status {}, standard error:\n{}", what,
-                                   arguments, ending.status, ending.err.substr(0, most)));
+                                   arguments, result.status, result.err.substr(0, most)));
 }
 
 /// Whether standard output may be the bytes of a program: `dos` writes one unless it is a terminal.
@@ -237,28 +237,28 @@ bool may_write_a_program(const Input& input) {
   return !input.arguments.empty() && input.arguments.front() == "dos";
 }
 
-void check_ending(const Input& input, const Ending& ending) {
-  const int status = ending.status;
+void check_result(const Input& input, const RunResult& result) {
+  const int status = result.status;
   if (status != 0 && status != 1 && status != 2 && status != support::interrupted_status) {
-    report(input, ending, "a status that is not documented");
+    report(input, result, "a status that is not documented");
   }
-  if (status == support::interrupted_status && !ending.interrupted) {
-    report(input, ending, "interrupted without an interruption");
+  if (status == support::interrupted_status && !result.interrupted) {
+    report(input, result, "interrupted without an interruption");
   }
-  if (fuzz::has_control_character(ending.err)) {
-    report(input, ending, "a control character on standard error");
+  if (fuzz::has_control_character(result.err)) {
+    report(input, result, "a control character on standard error");
   }
-  if (fuzz::has_control_character(ending.out) && !may_write_a_program(input)) {
-    report(input, ending, "a control character on standard output");
+  if (fuzz::has_control_character(result.out) && !may_write_a_program(input)) {
+    report(input, result, "a control character on standard output");
   }
   if (status != 2) return;
-  const std::string_view all = ending.err;
-  if (!all.ends_with('\n')) report(input, ending, "a refusal without a message");
+  const std::string_view all = result.err;
+  if (!all.ends_with('\n')) report(input, result, "a refusal without a message");
   const std::size_t before = all.rfind('\n', all.size() - 2);
   const std::string_view last = before == std::string_view::npos ? all : all.substr(before + 1);
   constexpr std::string_view begin = "fixproof: ";
   if (!last.starts_with(begin) || last.size() < begin.size() + 3) {
-    report(input, ending, "the last line is not a message");
+    report(input, result, "the last line is not a message");
   }
 }
 
@@ -285,11 +285,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static_cast<void>(prepared);
   const Input input = read_input(std::string(data, data + size));
   if (!std::all_of(input.arguments.begin(), input.arguments.end(), stays_in_folder)) return 0;
-  const Ending once = run(input);
-  check_ending(input, once);
+  const RunResult once = run(input);
+  check_result(input, once);
   if (!is_repeatable(input) || once.interrupted) return 0;
-  const Ending again = run(input);
-  check_ending(input, again);
+  const RunResult again = run(input);
+  check_result(input, again);
   if (again.interrupted) return 0;
   if (again.status != once.status || again.out != once.out || again.err != once.err ||
       again.files != once.files) {

@@ -51,10 +51,10 @@ void seal(std::string& bytes) {
 
 /// Reads everything that `fixproof desync` may print about a side. Reads a name once for a sequence
 /// of records, because that takes longer than all else.
-void read_side(LogFile& log, const desync::Place& place) {
+void read_side(LogFile& log, const desync::Side& side) {
   word file = 0;
   word mark = 0;
-  for (const desync::Record& record : place.records) {
+  for (const desync::Record& record : side.records) {
     (void)desync::text_of(desync::operation_of(record.words));
     if (std::exchange(file, record.file) != record.file) (void)log.name(file);
     if (std::exchange(mark, record.name) != record.name) (void)log.name_with_hash(mark);

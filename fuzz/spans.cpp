@@ -35,13 +35,13 @@ template <class N>
 using Rows = std::array<std::array<N, 4>, 3>;
 
 /// What a call leaves, beside the buffer.
-struct Ending {
+struct CallResult {
   fixproof::batch::report report;
   std::vector<bool> marks;
   std::string thrown;
   std::int64_t sum = 0;  ///< of dot
 
-  friend bool operator==(const Ending&, const Ending&) = default;
+  friend bool operator==(const CallResult&, const CallResult&) = default;
 };
 
 template <class N, std::size_t size>
@@ -52,7 +52,7 @@ std::span<std::array<N, size>> tuples(std::span<N> numbers) {
 
 template <class N>
 fixproof::batch::report call(const Layout& layout, std::span<N> buffer, const Rows<N>& rows,
-                             const fixproof::batch::options& how, Ending& ending) {
+                             const fixproof::batch::options& how, CallResult& result) {
   const Shape& shape = layout.shape();
   const auto in = [&](std::size_t i) {
     return buffer.subspan(layout.in[i], (layout.count + layout.surplus[i]) * shape.in_width);
@@ -93,7 +93,7 @@ fixproof::batch::report call(const Layout& layout, std::span<N> buffer, const Ro
       batch::sin_cos(in(0), out(0), out(1), how.use);
       break;
     case Call::dot:
-      ending.sum = batch::dot(in(0), in(1), how.use).raw();
+      result.sum = batch::dot(in(0), in(1), how.use).raw();
       break;
   }
   return {};
@@ -107,15 +107,15 @@ bool is_of_the_type(const std::exception& error) {
 }
 
 template <class N>
-Ending run(const Layout& layout, std::span<N> buffer, const Rows<N>& rows, path use) {
-  Ending ending;
+CallResult run(const Layout& layout, std::span<N> buffer, const Rows<N>& rows, path use) {
+  CallResult result;
   const std::size_t guarded = layout.count + 1;
   const auto marks = std::make_unique<bool[]>(guarded);  // NOLINT(*-avoid-c-arrays): for a span
   std::fill_n(marks.get(), guarded, true);
   fixproof::batch::options how{use, {}};
   if (layout.marked) how.marks = {marks.get(), layout.count};
   try {
-    ending.report = call(layout, buffer, rows, how, ending);
+    result.report = call(layout, buffer, rows, how, result);
   } catch (const std::exception& error) {
     if (!is_of_the_type(error)) {
       fuzz::report_finding(fmt::format("{}: thrown: {}", layout.text(), error.what()));
@@ -123,11 +123,11 @@ Ending run(const Layout& layout, std::span<N> buffer, const Rows<N>& rows, path 
     if (layout.marked && layout.count > 0 && layout.call != Call::dot) {
       fuzz::report_finding(fmt::format("{}: thrown in spite of marks", layout.text()));
     }
-    ending.thrown = error.what();
+    result.thrown = error.what();
   }
-  ending.marks.assign(marks.get(), marks.get() + guarded);
-  if (!ending.marks.back()) fuzz::report_finding(layout.text() + ": a mark behind the last");
-  return ending;
+  result.marks.assign(marks.get(), marks.get() + guarded);
+  if (!result.marks.back()) fuzz::report_finding(layout.text() + ": a mark behind the last");
+  return result;
 }
 
 /// Throws nothing, and gives what a batch writes for an element with an error.
@@ -206,7 +206,7 @@ void write_expected(const Layout& layout, std::span<const N> from, const Rows<N>
 
 /// The same call with spans that are apart from each other.
 template <class N>
-Ending run_apart(const Layout& layout, std::span<const N> buffer, const Rows<N>& rows) {
+CallResult run_apart(const Layout& layout, std::span<const N> buffer, const Rows<N>& rows) {
   const Shape& shape = layout.shape();
   const std::size_t room = (layout.count + 4) * 3;
   std::vector<N> apart(2 * fuzz::most_spans * room);
@@ -234,13 +234,13 @@ N number_of(std::span<const std::uint32_t> words, std::size_t i) {
 }
 
 /// An element counts once in a report, and its mark says so.
-bool marks_fit(const Ending& ending) {
-  const auto& report = ending.report;
-  const auto end = ending.marks.end() - 1;  // behind the last element: a guard
-  const auto first = std::find(ending.marks.begin(), end, true);
+bool marks_fit(const CallResult& result) {
+  const auto& report = result.report;
+  const auto end = result.marks.end() - 1;  // behind the last element: a guard
+  const auto first = std::find(result.marks.begin(), end, true);
   const auto count = static_cast<std::size_t>(std::count(first, end, true));
   const std::size_t at = first == end ? fixproof::batch::report::nowhere
-                                      : static_cast<std::size_t>(first - ending.marks.begin());
+                                      : static_cast<std::size_t>(first - result.marks.begin());
   return count == report.divide_errors + report.overflows + report.domain_errors &&
          at == report.first;
 }
@@ -258,22 +258,22 @@ void check(const Layout& layout, std::span<const std::uint32_t> words) {
     rows[i / 4][i % 4] = number_of<N>(words, fuzz::buffer_size - i);
   const bool permitted = layout.permitted();
   std::vector<N> want = before;
-  Ending ending;
+  CallResult expected;
   if (permitted) {
     write_expected<N>(layout, before, rows, want);
-    ending = run_apart<N>(layout, before, rows);
+    expected = run_apart<N>(layout, before, rows);
     if constexpr (N::never_throws) {
       if (layout.call == Call::dot) {
-        ending.sum = fixproof::dot(std::span(before).subspan(layout.in[0], layout.count),
-                                   std::span(before).subspan(layout.in[1], layout.count))
-                         .raw();
+        expected.sum = fixproof::dot(std::span(before).subspan(layout.in[0], layout.count),
+                                     std::span(before).subspan(layout.in[1], layout.count))
+                           .raw();
       }
     }
   }
   for (const path use : {path::portable, path::neon, path::avx2, path::avx512}) {
     if (!fixproof::batch::has(use)) continue;
     std::vector<N> buffer = before;
-    const Ending got = run<N>(layout, buffer, rows, use);
+    const CallResult got = run<N>(layout, buffer, rows, use);
     const auto where = [&] {
       return fmt::format("path {}, {} fraction bits, {}", static_cast<int>(use), N::fraction_bits,
                          layout.text());
@@ -289,11 +289,11 @@ void check(const Layout& layout, std::span<const std::uint32_t> words) {
         !marks_fit(got)) {
       fuzz::report_finding(where() + ": the marks are not those that the report counts");
     }
-    if (permitted && got != ending) {
+    if (permitted && got != expected) {
       fuzz::report_finding(
           fmt::format("{}: another report, mark, sum or exception than on copies: "
                       "'{}', not '{}'",
-                      where(), got.thrown, ending.thrown));
+                      where(), got.thrown, expected.thrown));
     }
   }
 }

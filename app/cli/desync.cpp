@@ -21,7 +21,7 @@ namespace {
 
 using desync::Comparison;
 using desync::LogFile;
-using desync::Place;
+using desync::Side;
 using desync::Verdict;
 
 struct DesyncOptions {
@@ -57,16 +57,16 @@ void print_log(const char* side, const LogFile& log) {
   }
 }
 
-/// Returns the mark in force at a record of a place, or an empty text.
-std::string mark_at(LogFile& log, const Place& place, std::size_t index) {
-  if (index < place.records.size() && place.records[index].name != 0) {
-    return log.name_with_hash(place.records[index].name);
+/// Returns the mark in force at a record of a side, or an empty text.
+std::string mark_at(LogFile& log, const Side& side, std::size_t index) {
+  if (index < side.records.size() && side.records[index].name != 0) {
+    return log.name_with_hash(side.records[index].name);
   }
-  return place.entry.name == 0 ? "" : log.name(place.entry.name);
+  return side.entry.name == 0 ? "" : log.name(side.entry.name);
 }
 
-void print_record(std::string_view side, LogFile& log, const Place& place, std::size_t index) {
-  const desync::Record& record = place.records[index];
+void print_record(std::string_view name, LogFile& log, const Side& side, std::size_t index) {
+  const desync::Record& record = side.records[index];
   const desync::Operation operation = desync::operation_of(record.words);
   std::string text = operation.kind == record::kind::mark
                          ? "mark " + log.name_with_hash(record.words[1])
@@ -79,19 +79,19 @@ void print_record(std::string_view side, LogFile& log, const Place& place, std::
   if (record.line != 0 && record::is_operation(operation.kind)) {
     source += fmt::format("  {}:{}", log.name(record.file), record.line);
   }
-  std::cout << fmt::format("{} {:>14}  {}{}\n", side, support::grouped(record.operation),
+  std::cout << fmt::format("{} {:>14}  {}{}\n", name, support::grouped(record.operation),
                            support::printable(text), support::printable(source));
 }
 
-void print_side(const char* side, LogFile& log, const Place& place) {
-  if (!place.index) {
-    std::cout << fmt::format("{} {:>14}  the frame ends here\n", side, "");
+void print_side(const char* name, LogFile& log, const Side& side) {
+  if (!side.index) {
+    std::cout << fmt::format("{} {:>14}  the frame ends here\n", name, "");
     return;
   }
-  const std::size_t index = *place.index;
-  const std::size_t end = std::min(place.records.size(), index + 1 + context_records);
+  const std::size_t index = *side.index;
+  const std::size_t end = std::min(side.records.size(), index + 1 + context_records);
   for (std::size_t i = index - std::min(index, context_records); i < end; ++i) {
-    print_record(fmt::format("{}{}", side, i == index ? '>' : ' '), log, place, i);
+    print_record(fmt::format("{}{}", name, i == index ? '>' : ' '), log, side, i);
   }
 }
 

@@ -87,7 +87,7 @@ bool enters(const Operation& o) {
          });
 }
 
-Verdict judge(const Place& a, const Place& b) {
+Verdict judge(const Side& a, const Side& b) {
   const std::size_t i = *a.index;
   const std::size_t j = *b.index;
   const Operation x = operation_of(a.records[i].words);
@@ -110,23 +110,23 @@ Verdict judge(const Place& a, const Place& b) {
 }
 
 /// @param end the number of the block after the run or the frame
-Place place_of(LogFile& log, word block, word end) {
-  Place place;
-  place.block = block;
-  place.entry = log.entry(block);
-  place.records = log.records(block);
-  place.ends_run = place.entry.is_last;
-  if (!place.records.empty() && block + 1 < end) {
-    for (Record& record : log.records(block + 1)) place.records.push_back(std::move(record));
-    place.ends_run = log.entry(block + 1).is_last;
+Side side_of(LogFile& log, word block, word end) {
+  Side side;
+  side.block = block;
+  side.entry = log.entry(block);
+  side.records = log.records(block);
+  side.ends_run = side.entry.is_last;
+  if (!side.records.empty() && block + 1 < end) {
+    for (Record& record : log.records(block + 1)) side.records.push_back(std::move(record));
+    side.ends_run = log.entry(block + 1).is_last;
   }
-  return place;
+  return side;
 }
 
 /// Finds the record that differs in the first blocks that differ.
 void look_into(Comparison& comparison) {
-  Place& a = comparison.a;
-  Place& b = comparison.b;
+  Side& a = comparison.a;
+  Side& b = comparison.b;
   if (a.records.empty() || b.records.empty()) {
     const Entry& x = a.entry;
     const Entry& y = b.entry;
@@ -145,7 +145,7 @@ void look_into(Comparison& comparison) {
     return;
   }
   const bool is_cut = (!a.index && a.ends_run) || (!b.index && b.ends_run);
-  const Place& shorter = a.index ? b : a;
+  const Side& shorter = a.index ? b : a;
   comparison.verdict = is_cut ? Verdict::ended : Verdict::path;
   comparison.operations = shorter.entry.first_operation + shorter.entry.operations;
 }
@@ -239,8 +239,8 @@ Comparison compare(LogFile& a, LogFile& b) {
       low = middle + 1;
     }
   }
-  comparison.a = place_of(a, high, a.blocks());
-  comparison.b = place_of(b, high, b.blocks());
+  comparison.a = side_of(a, high, a.blocks());
+  comparison.b = side_of(b, high, b.blocks());
   look_into(comparison);
   return comparison;
 }
@@ -260,8 +260,8 @@ Comparison compare_last_frames(LogFile& a, LogFile& b) {
     comparison.steps += common.count;
     if (common.different) {
       Comparison here = comparison;
-      here.a = place_of(a, in_a.first + *common.different, in_a.end);
-      here.b = place_of(b, in_b.first + *common.different, in_b.end);
+      here.a = side_of(a, in_a.first + *common.different, in_a.end);
+      here.b = side_of(b, in_b.first + *common.different, in_b.end);
       look_into(here);
       if (here.verdict != Verdict::ended) return here;
       continue;
@@ -269,9 +269,9 @@ Comparison compare_last_frames(LogFile& a, LogFile& b) {
     comparison.operations += common.operations;
     if (!is_longer(a, in_a, b, in_b)) continue;
     // The first additional operation is in the block after the common ones.
-    comparison.a = place_of(a, std::min(in_a.first + common.count, in_a.end - 1), in_a.end);
-    comparison.b = place_of(b, std::min(in_b.first + common.count, in_b.end - 1), in_b.end);
-    Place& longer = common.count < in_a.end - in_a.first ? comparison.a : comparison.b;
+    comparison.a = side_of(a, std::min(in_a.first + common.count, in_a.end - 1), in_a.end);
+    comparison.b = side_of(b, std::min(in_b.first + common.count, in_b.end - 1), in_b.end);
+    Side& longer = common.count < in_a.end - in_a.first ? comparison.a : comparison.b;
     comparison.verdict = longer.records.empty() ? Verdict::block : Verdict::path;
     if (!longer.records.empty()) longer.index = 0;
     return comparison;

@@ -26,8 +26,8 @@ enum class Verdict {
                ///< both logs have its records.
 };
 
-/// The place of the difference on one side.
-struct Place {
+/// One run, at the difference.
+struct Side {
   word block = 0;
   Entry entry;
   std::vector<Record> records;       ///< Of the block and the next one, if the log has them.
@@ -41,8 +41,8 @@ struct Comparison {
   word blocks = 0;      ///< Blocks that both logs have; with rollback, frames.
   word operations = 0;  ///< Number of equal operations, if none differs.
   word steps = 0;       ///< Number of comparisons.
-  Place a;
-  Place b;
+  Side a;
+  Side b;
 };
 
 /// Compares two runs from their beginning. It takes a logarithmic number of steps, because the

@@ -4,7 +4,7 @@
 
 #include "fixed/formats.hpp"
 #include "tests/fixed/batch/functions.hpp"
-#include "tests/support/ending.hpp"
+#include "tests/support/thrown.hpp"
 
 namespace batch_test {
 namespace {
@@ -15,7 +15,7 @@ struct Sorted {
   Numbers<N> x, y, results;  ///< operands with a result
   struct Fault {
     N x, y;
-    Ending ending;
+    Thrown thrown;
   };
   std::vector<Fault> faults;
 };
@@ -27,13 +27,13 @@ Sorted<N> sorted(const BatchFunction<N>& f) {
   Sorted<N> all;
   for (std::size_t i = 0; i < x.size(); ++i) {
     N result;
-    const Ending ending = ending_of([&] { result = f.one(x[i], y[i]); });
-    if (ending == Ending::value) {
+    const Thrown thrown = thrown_by([&] { result = f.one(x[i], y[i]); });
+    if (thrown == Thrown::nothing) {
       all.x.push_back(x[i]);
       all.y.push_back(y[i]);
       all.results.push_back(result);
     } else if (all.faults.size() < 100) {
-      all.faults.push_back({x[i], y[i], ending});
+      all.faults.push_back({x[i], y[i], thrown});
     }
   }
   return all;
@@ -55,7 +55,7 @@ void expect_faults_alone(const BatchFunction<N>& f, const Sorted<N>& all, batch:
       y[k] = all.y[k];
     }
     Numbers<N> out(count);
-    ASSERT_EQ(ending_of([&] { f.many(x, y, out, path); }), fault.ending)
+    ASSERT_EQ(thrown_by([&] { f.many(x, y, out, path); }), fault.thrown)
         << f.name << " of raw " << fault.x.raw() << ' ' << fault.y.raw() << ", element " << place;
     for (std::size_t k = 0; k < place; ++k) {
       ASSERT_EQ(out[k], all.results[k]) << f.name << ", element " << k << " before " << place;
@@ -71,7 +71,7 @@ void expect_same_endings() {
     for (const batch::path path : every_path) {
       SCOPED_TRACE("path " + std::to_string(static_cast<int>(path)));
       Numbers<N> results(all.x.size());
-      ASSERT_EQ(ending_of([&] { f.many(all.x, all.y, results, path); }), Ending::value) << f.name;
+      ASSERT_EQ(thrown_by([&] { f.many(all.x, all.y, results, path); }), Thrown::nothing) << f.name;
       ASSERT_EQ(results, all.results) << f.name;
       expect_faults_alone(f, all, path);
       if (testing::Test::HasFatalFailure()) return;

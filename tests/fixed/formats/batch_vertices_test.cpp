@@ -8,7 +8,7 @@ namespace {
 namespace batch = fixproof::batch;
 
 /// Coordinates, and the fault of their element.
-struct Place {
+struct ExpectedPoint {
   std::vector<integer> coordinates;
   Fault fault = Fault::none;
 };
@@ -33,15 +33,15 @@ Result fused_coordinate(const Type& type, const integer* row, const integer* ver
 }
 
 template <class Coordinate>
-Place transformed(const Type& type, const std::vector<integer>& rows, const integer* vertex,
-                  const Coordinate& coordinate_of) {
+ExpectedPoint transformed(const Type& type, const std::vector<integer>& rows, const integer* vertex,
+                          const Coordinate& coordinate_of) {
   const Result x = coordinate_of(type, rows.data(), vertex);
   const Result y = coordinate_of(type, rows.data() + 4, vertex);
   const Result z = coordinate_of(type, rows.data() + 8, vertex);
   return {{x.raw, y.raw, z.raw}, first({x.fault, y.fault, z.fault})};
 }
 
-Place projected(const Type& type, const integer& constant, const integer* vertex) {
+ExpectedPoint projected(const Type& type, const integer& constant, const integer* vertex) {
   const Result x = quotient(type, vertex[0], vertex[2]);
   const Result y = quotient(type, vertex[1], vertex[2]);
   const Result to_x = product(type, x.raw * constant);
@@ -52,7 +52,7 @@ Place projected(const Type& type, const integer& constant, const integer* vertex
 }
 
 /// Compares results in `size` columns with the places.
-void compare(std::span<const Place> want, std::span<Column> got, const bool* marks,
+void compare(std::span<const ExpectedPoint> want, std::span<Column> got, const bool* marks,
              const batch::report& report) {
   batch::report whole;
   for (std::size_t i = 0; i < want.size(); ++i) {
@@ -95,9 +95,9 @@ constexpr auto vertices = []<class N>() {
     if (count % 2 == 0) std::transform(by.begin(), by.end(), by.begin(), eighth);
     std::vector<integer> values = operands(type, 3 * count, seed + 100);
     if (count > 3) values[5] = 0;  // a depth
-    std::vector<Place> moved;
-    std::vector<Place> fused;
-    std::vector<Place> points;
+    std::vector<ExpectedPoint> moved;
+    std::vector<ExpectedPoint> fused;
+    std::vector<ExpectedPoint> points;
     std::vector<std::array<N, 3>> in(count);
     for (std::size_t i = 0; i < count; ++i) {
       moved.push_back(transformed(type, by, &values[3 * i], coordinate));

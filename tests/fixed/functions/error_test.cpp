@@ -4,7 +4,7 @@
 #include <string>
 
 #include "tests/fixed/functions/functions.hpp"
-#include "tests/support/ending.hpp"
+#include "tests/support/thrown.hpp"
 
 namespace error_test {
 
@@ -23,17 +23,17 @@ void expect_endings(const std::array<Named<N>, size>& all, N x, N y, Seen& seen)
   for (const Named<N>& f : all) {
     const auto exact =
         oracle::nearest(f.function, x.raw(), y.raw(), N::fraction_bits, oracle::Rounding::half_up);
-    const Ending want = !exact                                             ? Ending::domain_error
-                        : *exact < limits::min() || *exact > limits::max() ? Ending::overflow_error
-                                                                           : Ending::value;
+    const Thrown want = !exact                                             ? Thrown::domain_error
+                        : *exact < limits::min() || *exact > limits::max() ? Thrown::overflow_error
+                                                                           : Thrown::nothing;
     N result;
-    ASSERT_EQ(ending_of([&] { result = f.compute(x, y); }, f.name), want)
+    ASSERT_EQ(thrown_by([&] { result = f.compute(x, y); }, f.name), want)
         << f.name << " of raw " << x.raw() << ' ' << y.raw();
-    if (want == Ending::value) {
+    if (want == Thrown::nothing) {
       ASSERT_EQ(result.raw(), *exact) << f.name << " of raw " << x.raw() << ' ' << y.raw();
     }
-    if (want == Ending::domain_error) seen.domain_errors.insert(f.name);
-    if (want == Ending::overflow_error) seen.overflow_errors.insert(f.name);
+    if (want == Thrown::domain_error) seen.domain_errors.insert(f.name);
+    if (want == Thrown::overflow_error) seen.overflow_errors.insert(f.name);
   }
 }
 

@@ -6,7 +6,7 @@
 #include "fixed/trigonometry.hpp"
 #include "oracle/function.hpp"
 #include "tests/support/each_type.hpp"
-#include "tests/support/ending.hpp"
+#include "tests/support/thrown.hpp"
 
 namespace tangent_test {
 
@@ -95,11 +95,11 @@ void expect_nearest(const Format& format, Function tangent, std::int64_t word) {
   if (format.saturating == nullptr) return;
   ASSERT_EQ(format.saturating(tangent, word), in_range);
   std::int64_t result = 0;
-  const Ending ending = ending_of([&] { result = format.trapping(tangent, word); });
-  ASSERT_EQ(ending, !exact               ? Ending::domain_error
-                    : *exact != in_range ? Ending::overflow_error
-                                         : Ending::value);
-  if (ending == Ending::value) {
+  const Thrown thrown = thrown_by([&] { result = format.trapping(tangent, word); });
+  ASSERT_EQ(thrown, !exact               ? Thrown::domain_error
+                    : *exact != in_range ? Thrown::overflow_error
+                                         : Thrown::nothing);
+  if (thrown == Thrown::nothing) {
     ASSERT_EQ(result, in_range);
   }
 }

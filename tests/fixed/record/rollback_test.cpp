@@ -110,7 +110,7 @@ TEST_F(Rollbacks, AFrameThatGoesOnAfterAFullBlock) {
     const Comparison found = compare(swapped);
     EXPECT_EQ(found.verdict, Verdict::path);
     EXPECT_EQ(found.a.index.has_value(), swapped);
-    const desync::Place& longer = swapped ? found.a : found.b;
+    const desync::Side& longer = swapped ? found.a : found.b;
     ASSERT_TRUE(longer.index);
     EXPECT_EQ(longer.records.at(*longer.index).operation, 1023U);
   }
