@@ -169,7 +169,7 @@ X86MODEL_INLINE Truth<D> div_faults(D d, Value<D> high, Value<D> divisor) {
 
 /// The condition of a jump or a set instruction, as the low four bits of their opcodes have it:
 /// each odd one is the opposite of the one before it.
-enum class Condition : std::uint8_t {
+enum class ConditionCode : std::uint8_t {
   overflow,
   carry = 2,  ///< below, of unsigned numbers
   zero = 4,   ///< equal
@@ -185,36 +185,36 @@ enum class Condition : std::uint8_t {
 };
 
 /// The flags that a condition reads.
-X86MODEL_INLINE std::uint16_t flags_read(Condition condition) {
+X86MODEL_INLINE std::uint16_t flags_read(ConditionCode condition) {
   constexpr std::uint16_t by_pair[8]{OF, CF, ZF, CF | ZF, SF, PF, SF | OF, ZF | SF | OF};
   return by_pair[static_cast<unsigned>(condition) / 2];
 }
 
 /// Whether a condition holds; all flags that it reads are defined.
 template <class D>
-X86MODEL_INLINE Truth<D> holds(D d, Condition condition, const typename D::Flags& flags) {
+X86MODEL_INLINE Truth<D> holds(D d, ConditionCode condition, const typename D::Flags& flags) {
   const auto code = static_cast<unsigned>(condition);
   Truth<D> truth{};
-  switch (static_cast<Condition>(code & ~1U)) {
-    case Condition::overflow:
+  switch (static_cast<ConditionCode>(code & ~1U)) {
+    case ConditionCode::overflow:
       truth = flags.get(OF);
       break;
-    case Condition::carry:
+    case ConditionCode::carry:
       truth = flags.get(CF);
       break;
-    case Condition::zero:
+    case ConditionCode::zero:
       truth = flags.get(ZF);
       break;
-    case Condition::carry_or_zero:
+    case ConditionCode::carry_or_zero:
       truth = d.either(flags.get(CF), flags.get(ZF));
       break;
-    case Condition::sign:
+    case ConditionCode::sign:
       truth = flags.get(SF);
       break;
-    case Condition::parity:
+    case ConditionCode::parity:
       truth = flags.get(PF);
       break;
-    case Condition::less:
+    case ConditionCode::less:
       truth = d.differ(flags.get(SF), flags.get(OF));
       break;
     default:

@@ -53,20 +53,20 @@ X86MODEL_INLINE bool is_divide(Mnemonic op) { return op == Mnemonic::div || op =
 X86MODEL_INLINE bool adds_carry(Mnemonic op) { return op == Mnemonic::adc || op == Mnemonic::sbb; }
 
 /// The condition of a jump other than LOOP; nothing if it jumps always.
-X86MODEL_INLINE std::optional<alu::Condition> condition_of(Mnemonic op) {
+X86MODEL_INLINE std::optional<alu::ConditionCode> condition_of(Mnemonic op) {
   switch (op) {
     case Mnemonic::js:
-      return alu::Condition::sign;
+      return alu::ConditionCode::sign;
     case Mnemonic::jns:
-      return alu::Condition::not_sign;
+      return alu::ConditionCode::not_sign;
     case Mnemonic::jz:
-      return alu::Condition::zero;
+      return alu::ConditionCode::zero;
     case Mnemonic::jnz:
-      return alu::Condition::not_zero;
+      return alu::ConditionCode::not_zero;
     case Mnemonic::ja:
-      return alu::Condition::above;
+      return alu::ConditionCode::above;
     case Mnemonic::jg:
-      return alu::Condition::greater;
+      return alu::ConditionCode::greater;
     default:
       return std::nullopt;
   }

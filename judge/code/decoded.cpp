@@ -140,14 +140,14 @@ int components_of(const ZydisDecodedInstruction& i) {
 }
 
 /// The condition that the low half of the opcode encodes.
-std::optional<x86model::alu::Condition> condition_of(const ZydisDecodedInstruction& i) {
+std::optional<x86model::alu::ConditionCode> condition_of(const ZydisDecodedInstruction& i) {
   const unsigned row = i.opcode >> 4U;
   const bool has_condition =
       i.opcode_map == ZYDIS_OPCODE_MAP_DEFAULT
           ? row == 7
           : i.opcode_map == ZYDIS_OPCODE_MAP_0F && (row == 4 || row == 8 || row == 9);
   if (!has_condition) return std::nullopt;
-  return static_cast<x86model::alu::Condition>(i.opcode & 0xFU);
+  return static_cast<x86model::alu::ConditionCode>(i.opcode & 0xFU);
 }
 
 bool uses_accumulator(const ZydisDecodedInstruction& i) {

@@ -41,9 +41,9 @@ struct FlagEffects {
 
 struct Decoded {
   std::string mnemonic;  ///< as Intel spells it, RETF for a far return; empty if it is invalid
-  std::vector<Operand> operands;                      ///< those that an assembler writes
-  std::optional<x86model::alu::Condition> condition;  ///< of a jump, SETcc or CMOVcc
-  std::optional<std::uint32_t> target;                ///< of a near jump or call, if it is fixed
+  std::vector<Operand> operands;                          ///< those that an assembler writes
+  std::optional<x86model::alu::ConditionCode> condition;  ///< of a jump, SETcc or CMOVcc
+  std::optional<std::uint32_t> target;  ///< of a near jump or call, if it is fixed
   FlagEffects flags;
   std::uint32_t bytes = 0;
   std::uint8_t opcode = 0;          ///< the byte after the prefixes and 0F

@@ -194,7 +194,7 @@ class Explorer : public sym::Explorer<Path> {
     return jump(thread, taken, *code.target, next);
   }
 
-  static Term holds(const ImageMachine& machine, alu::Condition condition) {
+  static Term holds(const ImageMachine& machine, alu::ConditionCode condition) {
     if (!machine.flags.are_defined(alu::flags_read(condition))) throw Obstacle(unknown_flag);
     return alu::holds(machine.domain(), condition, machine.flags);
   }
