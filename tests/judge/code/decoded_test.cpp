@@ -4,6 +4,11 @@
 #include <fmt/format.h>
 
 #include "tests/support/test.hpp"
+#include "verify/machine_code/machine_code.hpp"
+#include "x86model/encoding.hpp"
+#include "x86model/forms.hpp"
+#include "x86model/loop.hpp"
+#include "x86model/text.hpp"
 
 namespace {
 
@@ -108,6 +113,32 @@ TEST(Decoded, WhatIsNoInstructionHasNoName) {
   EXPECT_EQ(decoded(Bytes{0x66}, 0, 16).mnemonic, "");
   EXPECT_EQ(decoded({}, 0, 16).mnemonic, "");
   EXPECT_TRUE(ends_flow(decoded(Bytes{0xFF, 0xFF}, 0, 16)));
+}
+
+/// Compares lengths and flags of a program's instructions with Zydis, which has them from Intel.
+void expect_flags_of_zydis(std::span<const std::uint8_t> bytes,
+                           std::span<const x86model::Instruction> instructions) {
+  for (const x86model::Instruction& i : instructions) {
+    const Decoded d = decoded(bytes, 0, 16);
+    const x86model::FlagUse use = x86model::flag_use(i);
+    ASSERT_EQ(d.bytes, static_cast<std::uint32_t>(x86model::encoding_of(i).bytes()))
+        << x86model::text_of(i);
+    EXPECT_EQ(letters(use.reads), letters(d.flags.reads)) << x86model::text_of(i);
+    EXPECT_EQ(letters(use.sets), letters(d.flags.defines)) << x86model::text_of(i);
+    EXPECT_EQ(letters(use.leaves_undefined), letters(d.flags.undefines)) << x86model::text_of(i);
+    bytes = bytes.subspan(d.bytes);
+  }
+}
+
+TEST(Decoded, TheModelsFlagsAreThose) {
+  namespace code = fixproof::machine_code;
+  for (const code::ProgramKey& key : code::all_programs()) {
+    const auto program = assemble(listing(key.routine, key.target), key.build);
+    expect_flags_of_zydis(code::machine_code(key), program.instructions());
+  }
+  for (const x86model::LoopForm& form : x86model::all_loop_forms()) {
+    expect_flags_of_zydis(code::machine_code(form), x86model::code_of(form));
+  }
 }
 
 }  // namespace
