@@ -28,7 +28,7 @@ let module;
 let writing;
 
 function draw() {
-  if (!(state.view in views)) state.view = defaults.view;
+  if (!Object.hasOwn(views, state.view)) state.view = defaults.view;
   for (const link of document.querySelectorAll("#views a")) {
     const { view } = stateOf(new URL(link.href).hash);
     link.href = hashOf({ ...state, view });

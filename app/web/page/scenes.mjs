@@ -54,7 +54,9 @@ function tick(now, module, stateNow) {
   const scene = sceneOf(scenes, state);
   const most = MINUTES * 60 * scene.frames_per_second;
   if (state.play === "yes" && run.frame === run.target) {
-    run.owed = Math.min(4, run.owed + (now - run.last) * scene.frames_per_second / 1000);
+    // The first tick may have a time before that at which the scene was opened.
+    const passed = Math.max(0, now - run.last);
+    run.owed = Math.min(4, run.owed + passed * scene.frames_per_second / 1000);
     const whole = Math.floor(run.owed + 0.01);  // a tick may come a little early
     run.owed -= whole;
     run.target = Math.min(most, run.target + whole);

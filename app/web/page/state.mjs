@@ -12,7 +12,7 @@ export const defaults = {
 export function stateOf(hash) {
   const given = new URLSearchParams(hash.replace(/^#/, ""));
   const state = { ...defaults };
-  for (const [key, value] of given) if (key in defaults) state[key] = value;
+  for (const [key, value] of given) if (Object.hasOwn(defaults, key)) state[key] = value;
   return state;
 }
 

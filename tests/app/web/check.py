@@ -293,6 +293,14 @@ def keyboard(driver):
 
 def scenes(driver):
     """A scene runs, and a switched arithmetic continues from where it is."""
+    # As a visitor opens it: it plays from the first frame, in the time of a clock.
+    for _ in range(5):
+        open_page(driver, "#view=scenes")
+        time.sleep(1)
+        expect(0 < int(part(driver, "frame")) <= 200, f"after a second of playing: frame {part(driver, 'frame')}")
+    for unknown in ("toString", "constructor", "__proto__", "no"):
+        open_page(driver, f"#view={unknown}&toString=1")
+        expect_equal(drawn(driver), "number", f"the view of #view={unknown}")
     open_page(driver, "#view=scenes&scene=chapter53&arithmetic=i386-on&against=i386-on")
     wait(driver, "frame 61", lambda: int(part(driver, "frame")) > 60, 60)
     print(part(driver, "fps"), "frames per second")
