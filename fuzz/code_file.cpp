@@ -17,6 +17,7 @@
 #include "fuzz/control_characters.hpp"
 #include "fuzz/finding.hpp"
 #include "judge/code/call.hpp"
+#include "judge/code/listing.hpp"
 #include "judge/code/load.hpp"
 #include "support/usage_error.hpp"
 
@@ -55,6 +56,9 @@ void check_places(const judge::Image& image) {
   expect(std::uint64_t{image.data_at(image.data)} + judge::data_bytes <= size,
          "the operands are not in memory");
   expect(image.stack_top <= image.data && image.stack_top > 0, "the stack is not below the data");
+  const judge::Decoded first = judge::Listing(image).decoded_at(image.entry);
+  expect(first.bytes <= judge::longest_instruction && first.mnemonic.empty() == (first.bytes == 0),
+         "the first instruction is neither decoded nor refused");
 }
 
 /// The bytes of the file that are in memory, but for 2 of each relocation of an .EXE.

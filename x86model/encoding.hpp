@@ -29,8 +29,9 @@ struct Encoding {
   }
 };
 
-/// The shortest encoding at full width, which assemblers choose. A jump is short unless the listing
-/// calls it near.
+/// The shortest encoding at full width, which NASM chooses. A jump is short unless the listing
+/// calls it near. @pre the table has the form: that of every listing, and all that decode() and
+/// mutants() make of them; any other instruction counts as one byte
 Encoding encoding_of(const Instruction& instruction);
 
 /// Whether an encoding has the operands of this instruction.

@@ -48,6 +48,14 @@ struct Flags {
   }
 };
 
+/// What an instruction does to the arithmetic flags, as sets of Flag. A flag in neither of the last
+/// two keeps its value.
+struct FlagUse {
+  std::uint16_t reads = 0;
+  std::uint16_t sets = 0;
+  std::uint16_t leaves_undefined = 0;
+};
+
 /// The flags on entry to a routine, which may assume nothing about them.
 inline constexpr Flags all_undefined{0, arithmetic_flags};
 

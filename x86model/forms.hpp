@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "x86model/flags.hpp"
 #include "x86model/loop.hpp"
 #include "x86model/routine.hpp"
 
@@ -24,14 +25,6 @@ std::vector<std::string> form_texts(Target target);
 /// An instruction of every form of the routines and loops for both processors, in the order of
 /// Mnemonic. Here a register and memory are two forms.
 std::vector<Instruction> form_examples();
-
-/// What an instruction does to the arithmetic flags, as sets of Flag. Those in none of the last two
-/// keep their values.
-struct FlagUse {
-  std::uint16_t reads = 0;
-  std::uint16_t sets = 0;
-  std::uint16_t leaves_undefined = 0;
-};
 
 /// The flags that execute.hpp reads and changes for this instruction, seen by executing it.
 FlagUse flag_use(const Instruction& instruction);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -100,8 +101,8 @@ enum class Encoded : std::uint8_t {
 
 struct EncodingRow {
   Mnemonic mnemonic;
-  /// If the same encoding exists for bytes, that of bytes, an even number; that of words is one
-  /// more. See has_bytes().
+  /// If has_bytes(operands), the even opcode is for bytes, and the next one for words and
+  /// doublewords.
   std::uint8_t opcode;
   Encoded operands;
   std::uint8_t digit = 0;  ///< `/digit`: the middle bits of a ModR/M byte that names no register
@@ -120,8 +121,9 @@ constexpr bool has_mod_rm(Encoded e) { return e >= Encoded::rm_r && e <= Encoded
 constexpr bool has_digit(Encoded e) { return e >= Encoded::rm && e <= Encoded::rm_imm; }
 
 /// From the iAPX 86,88 User's Manual, table 4-14, the iAPX 286 Programmer's Reference Manual,
-/// appendix B, and the 80386 Programmer's Reference Manual, appendix A. Of two encodings of equal
-/// length, the one that assemblers choose comes first.
+/// appendix B, and the 80386 Programmer's Reference Manual, appendix A. The first has 83 /4 and 83
+/// /6 as not used; captured states show that an 8086 executes them. Of two encodings of equal
+/// length, the one that NASM chooses comes first.
 inline constexpr auto encoding_rows = [] {
   using enum Mnemonic;
   using enum Encoded;
@@ -223,5 +225,12 @@ constexpr std::span<const EncodingRow> encodings_of(Mnemonic mnemonic) {
   }
   return std::span(encoding_rows).subspan(first, count);
 }
+static_assert(
+    [] {
+      std::size_t count = 0;
+      for (const MnemonicRow& row : mnemonic_rows) count += encodings_of(row.mnemonic).size();
+      return count == encoding_rows.size();
+    }(),
+    "the rows of a mnemonic stand together");
 
 }  // namespace x86model

@@ -130,7 +130,7 @@ std::string range_text(const x86::figures::Cell& cell) {
   if (cell.max == 0) return "";
   std::string text =
       cell.min == cell.max ? fmt::format("{}", cell.min) : fmt::format("{}-{}", cell.min, cell.max);
-  if (cell.per_count > 0) text += fmt::format("+{}n", cell.per_count);
+  if (cell.per_count > 0) text += cell.per_count == 1 ? "+n" : fmt::format("+{}n", cell.per_count);
   return text;
 }
 

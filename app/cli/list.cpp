@@ -5,6 +5,7 @@
 #include "app/cli/forms_text.hpp"
 #include "app/cli/options.hpp"
 #include "app/cli/program.hpp"
+#include "support/usage_error.hpp"
 #include "x86model/text.hpp"
 
 namespace fixproof::cli {
@@ -19,8 +20,11 @@ void add_list(CLI::App& app, int& status) {
       "  fixproof list div --target i8088 --round on > fixeddiv.asm && nasm -f bin fixeddiv.asm\n"
       "  fixproof list gouraud-byte --loop dec-jnz\n"
       "  fixproof list forms     (encodings, flags and clocks of every instruction of the model)");
-  command->callback([options, &status] {
+  command->callback([options, command, &status] {
     if (options->operation == "forms") {
+      if (command->count_all() > 2) {
+        throw support::UsageError("list forms has no options; leave them out");
+      }
       std::cout << forms_text();
       status = 0;
       return;

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "x86model/clock_rows.hpp"
+#include "x86model/execute.hpp"
 #include "x86model/text.hpp"
 
 namespace fixproof::judge {
@@ -22,7 +23,8 @@ constexpr int caller_bytes = 3;
 /// The name that the rows have for it. Those of a condition are the same for all.
 std::string_view row_name(const TimedLine& line) {
   if (is_conditional(line)) return "jcc";
-  return line.condition && line.mnemonic.starts_with("set") ? "setcc" : line.mnemonic;
+  if (line.condition && line.mnemonic.starts_with("set")) return "setcc";
+  return line.mnemonic;
 }
 
 std::optional<Range> transfer_clocks(Cpu cpu, const TimedStep& step) {
@@ -96,13 +98,14 @@ std::uint32_t operand_value(const TimedStep& step) {
 std::optional<Range> operand_clocks(Cpu cpu, const TimedStep& step) {
   using ModelOperand = x86model::Operand;
   const TimedLine& line = *step.line;
-  const bool multiplies = line.mnemonic.ends_with("mul") || line.mnemonic.ends_with("div");
+  const auto op = x86model::mnemonic_named(line.mnemonic);
+  const bool multiplies =
+      op && (x86model::detail::is_multiply(*op) || x86model::detail::is_divide(*op));
   if (!multiplies || line.bits == 8 || (line.shape != "r" && line.shape != "m")) {
     return std::nullopt;
   }
   const auto kind = line.shape == "r" ? ModelOperand::Kind::reg : ModelOperand::Kind::memory;
-  x86model::Execution execution{
-      .instruction = {.mnemonic = x86model::mnemonic_named(line.mnemonic).value()}};
+  x86model::Execution execution{.instruction = {.mnemonic = *op}};
   execution.instruction.operands[0] = {
       .kind = kind, .size = line.bits == 16 ? Size::word : Size::dword, .reg = Register::bx};
   execution.low = part(step.registers.general[0], line.bits);

@@ -90,15 +90,15 @@ unsigned registers_written(const ZydisDecodedInstruction& i, const Operands& ope
   return written;
 }
 
-FlagEffects flag_effects(const ZydisDecodedInstruction& i, const Operands& operands) {
+x86model::FlagUse flag_effects(const ZydisDecodedInstruction& i, const Operands& operands) {
   if (i.cpu_flags == nullptr) return {};
   const auto arithmetic = [](ZydisAccessedFlagsMask flags) {
     return static_cast<std::uint16_t>(flags & x86model::arithmetic_flags);
   };
   const ZydisAccessedFlags& all = *i.cpu_flags;
-  FlagEffects effects{.reads = arithmetic(all.tested),
-                      .defines = arithmetic(all.modified | all.set_0 | all.set_1),
-                      .undefines = arithmetic(all.undefined)};
+  x86model::FlagUse effects{.reads = arithmetic(all.tested),
+                            .sets = arithmetic(all.modified | all.set_0 | all.set_1),
+                            .leaves_undefined = arithmetic(all.undefined)};
   // REPE and REPNE read only the ZF that the comparison before has set. PUSHF and LAHF copy flags,
   // undefined ones too, and decide nothing by them.
   const bool copies = i.mnemonic == ZYDIS_MNEMONIC_PUSHF || i.mnemonic == ZYDIS_MNEMONIC_PUSHFD ||
@@ -112,8 +112,8 @@ FlagEffects flag_effects(const ZydisDecodedInstruction& i, const Operands& opera
   if (shifts && i.operand_count_visible > 1) {
     const ZydisDecodedOperand& count = operands.at(i.operand_count_visible - 1U);
     if (count.type == ZYDIS_OPERAND_TYPE_IMMEDIATE && count.imm.value.u == 1) {
-      effects.defines |= x86model::OF;
-      effects.undefines &= static_cast<std::uint16_t>(~x86model::OF);
+      effects.sets |= x86model::OF;
+      effects.leaves_undefined &= static_cast<std::uint16_t>(~x86model::OF);
     }
   }
   return effects;
@@ -179,6 +179,7 @@ Decoded decoded(std::span<const std::uint8_t> bytes, std::uint32_t at, int bits)
   }
   result.mnemonic = mnemonic_of(i);
   result.bytes = i.length;
+  result.width = i.operand_width;
   result.opcode = i.opcode;
   result.condition = condition_of(i);
   result.components = components_of(i);

@@ -10,6 +10,7 @@
 
 #include "judge/code/frame.hpp"
 #include "x86model/alu.hpp"
+#include "x86model/flags.hpp"
 #include "x86model/instruction.hpp"
 
 namespace fixproof::judge {
@@ -27,16 +28,9 @@ struct Operand {
   RegisterName reg{};                          ///< if it is a register
   std::uint32_t value = 0;                     ///< immediate or displacement
   std::vector<RegisterName> bases{};           ///< registers; their sum with `value` is the address
-  x86model::Size size = x86model::Size::none;  ///< of the instruction's operands
-  int bits = 0;
-  int address_bits = 0;  ///< of memory
-};
-
-/// What an instruction does to the six arithmetic flags, as sets of x86model::Flag.
-struct FlagEffects {
-  std::uint16_t reads = 0;
-  std::uint16_t defines = 0;
-  std::uint16_t undefines = 0;
+  x86model::Size size = x86model::Size::none;  ///< set by symbolic.cpp, for x86model/execute.hpp
+  int bits = 0;                                ///< its own size
+  int address_bits = 0;                        ///< of memory
 };
 
 struct Decoded {
@@ -44,8 +38,9 @@ struct Decoded {
   std::vector<Operand> operands;                          ///< those that an assembler writes
   std::optional<x86model::alu::ConditionCode> condition;  ///< of a jump, SETcc or CMOVcc
   std::optional<std::uint32_t> target;  ///< of a near jump or call, if it is fixed
-  FlagEffects flags;
+  x86model::FlagUse flags;
   std::uint32_t bytes = 0;
+  int width = 0;                    ///< of its operands; of a byte's, 16 or 32 as the prefix says
   std::uint8_t opcode = 0;          ///< the byte after the prefixes and 0F
   int prefixes = 0;                 ///< of any kind
   int components = 0;               ///< as a 386 counts them at the target of a jump

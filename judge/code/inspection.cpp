@@ -45,17 +45,17 @@ class Inspector {
     // A caller leaves unknown flags.
     unsigned undefined = x86model::arithmetic_flags;
     for (const Step& step : trace.steps) {
-      const FlagEffects effects = effects_at(step.at);
+      const x86model::FlagUse effects = effects_at(step.at);
       if ((effects.reads & undefined) != 0 && !inspection_.undefined_flag) {
         inspection_.undefined_flag = {.operands = operands_,
                                       .line = listing_.at(step.at),
                                       .flags = effects.reads & undefined};
       }
-      undefined = (undefined & ~unsigned{effects.defines}) | effects.undefines;
+      undefined = (undefined & ~unsigned{effects.sets}) | effects.leaves_undefined;
     }
   }
 
-  const FlagEffects& effects_at(std::uint32_t offset) {
+  const x86model::FlagUse& effects_at(std::uint32_t offset) {
     const auto known = effects_.find(offset);
     if (known != effects_.end()) return known->second;
     return effects_.emplace(offset, listing_.decoded_at(offset).flags).first->second;
@@ -87,7 +87,7 @@ class Inspector {
 
   const Subject& subject_;
   Listing listing_;
-  std::map<std::uint32_t, FlagEffects> effects_;  // by offset
+  std::map<std::uint32_t, x86model::FlagUse> effects_;  // by offset
   Inspection inspection_;
   std::string operands_;
 };

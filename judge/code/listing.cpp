@@ -98,9 +98,9 @@ std::string source_of(const Image& image) {
   for (const Line& line : lines) {
     std::string text = line.text;
     const auto target = listing.decoded_at(line.at).target;
-    if (target && targets.contains(*target)) {
-      text.resize(text.rfind(" 0x"));
-      text += fmt::format(" at_{:04x}", *target);
+    const std::size_t hex = text.rfind(" 0x");
+    if (target && targets.contains(*target) && hex != std::string::npos) {
+      text.replace(hex, std::string::npos, fmt::format(" at_{:04x}", *target));
     }
     as_text.push_back(text);
     as_bytes.push_back(fmt::format("{:<40}; {}", bytes_at(line.at, line.bytes), line.text));

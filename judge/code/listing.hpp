@@ -22,7 +22,8 @@ class Listing {
   /// @throws support::UsageError if ndisasm cannot be run
   const Line& at(std::uint32_t offset);
 
-  /// Decodes the same instruction.
+  /// Decodes the instruction at an offset. Zydis knows opcodes that NASM writes as bytes, so the
+  /// length may differ from that of at().
   [[nodiscard]] Decoded decoded_at(std::uint32_t offset) const;
 
  private:

@@ -151,6 +151,9 @@ class Explorer : public sym::Explorer<Path> {
     if (code.has_repeat || code.overrides_segment || code.operands.size() > 3) not_modelled();
     Instruction i{.count = code.operands.size()};
     std::copy(code.operands.begin(), code.operands.end(), i.operands.begin());
+    const bool moves_stack =
+        m == "push" || m == "pop" || m == "call" || m == "leave" || m.starts_with("ret");
+    if (moves_stack && code.width != image_.bits) not_modelled();
     ImageMachine machine(image_, t_, thread.state);
     if (m == "ret" || m == "retf") {
       const Term to = machine.pop(machine.word());
@@ -179,7 +182,7 @@ class Explorer : public sym::Explorer<Path> {
     return true;
   }
 
-  /// The size of the operands: that of the first one, which an immediate does not have.
+  /// The size of the operands: that of the first one. What is pushed has that of the code.
   [[nodiscard]] Size size_of(const Instruction& i, const std::string& m) const {
     const int bits = i.count == 0 || m == "push" ? image_.bits : i.operands[0].bits;
     return bits == 8 ? Size::byte : bits == 16 ? Size::word : Size::dword;

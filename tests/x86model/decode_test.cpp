@@ -181,7 +181,7 @@ TEST(Decode, Bytes) {
 }
 
 /// What the build assembles from each listing is decoded to the listing, instruction by
-/// instruction, so no no_form, addressing mode or prefix of a listing is skipped.
+/// instruction, so no form, addressing mode or prefix of a listing is skipped.
 void expect_listing(std::span<const std::uint8_t> code,
                     std::span<const x86model::Instruction> listing, Cpu cpu) {
   for (const x86model::Instruction& expected : listing) {

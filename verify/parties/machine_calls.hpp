@@ -1,5 +1,5 @@
 /// @file
-/// The machine-code calls that answer a asked, on any machine.
+/// The machine-code calls that answer cases, on any machine.
 #pragma once
 
 #include <cstddef>

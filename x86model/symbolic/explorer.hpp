@@ -55,7 +55,7 @@ class Explorer {
   }
 
  protected:
-  /// @param max_paths  a thread that would branch when there are more ends by give_up()
+  /// @param max_paths  if there are more, the next thread that would split calls give_up()
   /// @param enumerated an operand of at most 16 bits; if a jump depends only on it, all its values
   ///                   are tried, and paths that no value takes are dropped
   Explorer(Terms& terms, std::size_t max_paths, std::optional<Term> enumerated = {})
@@ -64,7 +64,7 @@ class Explorer {
   /// Executes the instruction at the thread's position. @return false if the thread has ended, or
   /// was split
   virtual bool step(Thread& thread) = 0;
-  /// Ends a thread because there are too many paths.
+  /// Ends a thread because there are too many paths. May throw.
   virtual void give_up(Thread& thread) = 0;
 
   /// Takes the operands that satisfy a condition from a thread. @return the condition of their path

@@ -27,8 +27,8 @@ std::string letters(std::uint16_t flags) {
 
 std::string flags_of(const Bytes& bytes) {
   const Decoded d = decoded(bytes, 0, 16);
-  return fmt::format("{} {} {} {}", d.mnemonic, letters(d.flags.reads), letters(d.flags.defines),
-                     letters(d.flags.undefines));
+  return fmt::format("{} {} {} {}", d.mnemonic, letters(d.flags.reads), letters(d.flags.sets),
+                     letters(d.flags.leaves_undefined));
 }
 
 // The mnemonic, then the flags that it reads, defines and leaves undefined.
@@ -124,8 +124,9 @@ void expect_flags_of_zydis(std::span<const std::uint8_t> bytes,
     ASSERT_EQ(d.bytes, static_cast<std::uint32_t>(x86model::encoding_of(i).bytes()))
         << x86model::text_of(i);
     EXPECT_EQ(letters(use.reads), letters(d.flags.reads)) << x86model::text_of(i);
-    EXPECT_EQ(letters(use.sets), letters(d.flags.defines)) << x86model::text_of(i);
-    EXPECT_EQ(letters(use.leaves_undefined), letters(d.flags.undefines)) << x86model::text_of(i);
+    EXPECT_EQ(letters(use.sets), letters(d.flags.sets)) << x86model::text_of(i);
+    EXPECT_EQ(letters(use.leaves_undefined), letters(d.flags.leaves_undefined))
+        << x86model::text_of(i);
     bytes = bytes.subspan(d.bytes);
   }
 }
