@@ -12,6 +12,7 @@
 
 #include "app/cli/option_names.hpp"
 #include "app/cli/print_error.hpp"
+#include "app/cli/suggestion.hpp"
 #include "support/build_info/build_info.hpp"
 #include "support/interrupt.hpp"
 #include "support/usage_error.hpp"
@@ -19,6 +20,38 @@
 namespace fixproof::cli {
 
 namespace {
+
+/// `(see fixproof COMMAND --help)`
+std::string help_hint(const CLI::App& app) {
+  const auto given = app.get_subcommands();
+  return fmt::format("(see fixproof {}--help)",
+                     given.empty() ? "" : given.front()->get_name() + " ");
+}
+
+/// Says that a word is no command, no option or no argument, and which one it may have meant.
+std::string unknown_text(const CLI::App& app, const std::string& word) {
+  const auto given = app.get_subcommands();
+  const CLI::App& asked = given.empty() ? app : *given.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : asked.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  if (given.empty()) {
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  }
+  const bool is_option = word.starts_with('-');
+  const char* what = is_option       ? "unknown option"
+                     : given.empty() ? "unknown command"
+                                     : "unexpected argument";
+  return fmt::format("{}: {}{} {}", what, word, suggestion(word, names), help_hint(app));
+}
+
+/// `help` and `help COMMAND` are other words for `--help` and `COMMAND --help`.
+void accept_help(std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front() != "help") return;
+  arguments.erase(arguments.begin());
+  arguments.emplace_back("--help");
+}
 
 /// @throws std::bad_alloc
 int run(std::vector<std::string> arguments, AddCommands& add_commands) {
@@ -31,6 +64,7 @@ int run(std::vector<std::string> arguments, AddCommands& add_commands) {
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", std::string(support::program_version()));
   add_commands(app, status);
+  accept_help(arguments);
   try {
     // CLI11 expects the arguments in reverse order.
     std::reverse(arguments.begin(), arguments.end());
@@ -40,15 +74,13 @@ int run(std::vector<std::string> arguments, AddCommands& add_commands) {
   } catch (const CLI::Success& help) {
     app.exit(help);
   } catch (const CLI::ExtrasError&) {
-    const auto extra = app.remaining(true);
-    const char* what = app.get_subcommands().empty() ? "unknown command" : "unexpected argument";
-    print_error(fmt::format("{}: {} (see fixproof --help)", what, extra.front()));
+    print_error(unknown_text(app, app.remaining(true).front()));
     return 2;
   } catch (const CLI::ExcludesError&) {
-    print_error(fmt::format("{} (see fixproof --help)", exclusion_in(app)));
+    print_error(fmt::format("{} {}", exclusion_in(app), help_hint(app)));
     return 2;
   } catch (const CLI::ParseError& error) {
-    print_error(fmt::format("{} (see fixproof --help)", error.what()));
+    print_error(fmt::format("{} {}", error.what(), help_hint(app)));
     return 2;
   } catch (const support::Stopped&) {
     print_error("stopped");

@@ -116,8 +116,13 @@ std::string line_of(std::string_view subject, const BestRules& best,
     if (names.size() > 1) text += "                   (no case distinguishes these)\n";
     return text;
   }
-  // A rule that most cases break is not a guess.
+  // A rule that most cases break is not a guess, and no rule is near a handful of them.
   const bool known = 2 * exceptions <= best.first.cases;
+  constexpr std::uint64_t handful = 20;
+  if (!known && (best.first.cases < handful || exceptions == best.first.cases)) {
+    return fmt::format("{}no known rule: {} of {} {} differ from each\n", label,
+                       support::grouped(exceptions), support::grouped(best.first.cases), what);
+  }
   std::string text = fmt::format(
       "{}{}, but for {} of {} {}{}:\n", label,
       known ? joined(names, " or ")
@@ -179,7 +184,8 @@ std::string guess_text(const Judge& judge) {
   const RuleTrial& trial = judge.trial();
   const cases::Operation operation = judge.rules().operation;
   const cases::Format format = judge.rules().format;
-  Rules followed{.operation = operation, .format = format};
+  Rules followed = judge.rules();  // all formats of its operands; the rules below are found
+  followed.port = nullptr;
   std::string text = "What the subject does, all rules tried:\n" + ports_line(judge);
 
   const BestRules rounding = trial.rounding();

@@ -62,7 +62,9 @@ std::string hex_text(std::uint64_t word, const cases::Format& format) {
 std::string decimal_text(std::uint64_t word, const cases::Format& format) {
   const oracle::Integer ulps = oracle::ulps(word, format.as<oracle::Format>());
   const oracle::Integer one = oracle::Integer(1) << format.fraction_bits;
-  const int places = places_of(one);
+  // A short fraction is exact.
+  constexpr int most_exact = 8;
+  const int places = format.fraction_bits <= most_exact ? format.fraction_bits : places_of(one);
   oracle::Integer scale = 1;
   for (int i = 0; i < places; ++i) scale *= 10;
   const oracle::Integer value =

@@ -136,9 +136,26 @@ TEST(Usage, OptionsThatExcludeEachOtherAreNamedInOneOrder) {
   command::expect_contains(command::output_of("check --help"),
                            "--from TEXT Excludes: --cases --level --seed --shard\n");
   expect_refused("check add --from cases --shard 1/2 --seed 2 --cases 3",
-                 "--from excludes --cases (see fixproof --help)");
+                 "--from excludes --cases (see fixproof check --help)");
   expect_refused("verify mul --case '00010000 00010000' --shard 1/2 --report r",
-                 "--shard excludes --case (see fixproof --help)");
+                 "--shard excludes --case (see fixproof verify --help)");
+}
+
+TEST(Usage, ASlipIsAnsweredWithWhatWasMeant) {
+  expect_refused("verfy", "unknown command: verfy; did you mean verify? (see fixproof --help)");
+  expect_refused("--verison", "unknown option: --verison; did you mean --version?");
+  expect_refused("eval mul --tarqet i386",
+                 "unknown option: --tarqet; did you mean --target? (see fixproof eval --help)");
+  expect_refused("eval", "(see fixproof eval --help)");
+  for (const char* const far : {"zzzzzz", "v", "e", "--x"}) {
+    const auto run = command::fixproof(far);
+    EXPECT_EQ(run.err.find("did you mean"), std::string::npos) << run.err;
+  }
+}
+
+TEST(Usage, HelpIsACommandToo) {
+  EXPECT_EQ(command::output_of("help"), command::output_of("--help"));
+  EXPECT_EQ(command::output_of("help eval"), command::output_of("eval --help"));
 }
 
 TEST(Usage, HelpIsNoError) {

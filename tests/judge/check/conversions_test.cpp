@@ -232,6 +232,33 @@ Judge judged_doubles(const std::function<double(double)>& ulps_of) {
   return judge;
 }
 
+TEST(CheckConversions, AWrongResultIsShownWithItsSource) {
+  struct Case {
+    const char* from;
+    const char* line;
+    const char* shown;
+  };
+  for (const Case& c : {Case{"q6_2", "f3", "f3 (-3.25)"},
+                        {"q30_2", "fffffff3", "fffffff3 (-3.25)"},
+                        {"q1_7", "81", "81 (-0.9921875)"},
+                        {"q16_16", "00018000", "00018000 (1.5)"},
+                        {"q32_32", "fffffffffffffff0", "fffffffffffffff0 (-0.0000000037)"}}) {
+    const Variant v = variant(Operation::convert, "q8_0", c.from);
+    Judge judge(rules_for(v, Rounding::half_even), 3);
+    JudgedCase one;
+    one.origin = "here";
+    one.converted = parse_converted(c.line, v);
+    one.said = 0x3c;
+    judge.add(one);
+    EXPECT_NE(verdict_text(judge).find(c.shown), std::string::npos) << verdict_text(judge);
+    const std::string guess = guess_text(judge);
+    EXPECT_NE(guess.find("no known rule: 1 of 1 cases in range differ from each"),
+              std::string::npos)
+        << guess;
+    EXPECT_NE(guess.find(c.shown), std::string::npos) << guess;
+  }
+}
+
 TEST(CheckConversions, ASoundOneHasNothingWrong) {
   const Judge judge = judged_doubles([](double x) { return std::floor(x * 65536 + 0.5); });
   // The sum rounds, so doubles next to half a unit go wrong.

@@ -40,8 +40,8 @@ TEST(CheckFormats, LimitsOfWords) {
 TEST(CheckFormats, WordsAsText) {
   EXPECT_EQ(hex_text(0x1f, format_named("u8_8")), "001f");
   EXPECT_EQ(hex_text(1, format_named("q32_32")), "0000000000000001");
-  EXPECT_EQ(decimal_text(0xffff, format_named("q8_8")), "-0.004");
-  EXPECT_EQ(decimal_text(0xffff, format_named("u8_8")), "255.996");
+  EXPECT_EQ(decimal_text(0xffff, format_named("q8_8")), "-0.00390625");
+  EXPECT_EQ(decimal_text(0xffff, format_named("u8_8")), "255.99609375");
   EXPECT_EQ(decimal_text(0x8000, format_named("q1_15")), "-1");
   EXPECT_EQ(decimal_text(0x80000001, format_named("q16_16")), "-32767.99998");
   EXPECT_EQ(decimal_text(0xfffffff6, format_named("q32_0")), "-10");
