@@ -31,6 +31,15 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+std::string_view first_word(std::string_view line) {
+  return line.substr(0, line.find_first_of(" \t"));
+}
+
+bool is_prefix(std::string_view name) {
+  constexpr std::array<std::string_view, 6> all{"rep", "repe", "repz", "repne", "repnz", "lock"};
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
 std::vector<std::string_view> split_operands(std::string_view text) {
   std::vector<std::string_view> parts;
   if (text.empty()) return parts;
@@ -85,7 +94,13 @@ bool fits(std::int64_t value, bool is_count, Size size) {
 
 std::optional<Instruction> parse(std::string_view line) {
   line = trimmed(line);
-  const std::string_view name = line.substr(0, line.find_first_of(" \t"));
+  bool has_prefix = false;
+  std::string_view name = first_word(line);
+  // What follows a prefix is an instruction, not an operand.
+  for (; is_prefix(name) && name != line; name = first_word(line)) {
+    has_prefix = true;
+    line = trimmed(line.substr(name.size()));
+  }
   if (name.empty()) throw ParseError("no instruction");
   if (name.find_first_not_of(name_characters) != std::string_view::npos) {
     throw ParseError(quoted(name) + " is not a mnemonic");
@@ -120,7 +135,7 @@ std::optional<Instruction> parse(std::string_view line) {
       throw ParseError(quoted(text) + " is not an operand");
     }
   }
-  if (!known) return std::nullopt;
+  if (!known || has_prefix) return std::nullopt;
   return instruction;
 }
 

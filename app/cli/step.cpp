@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
@@ -134,11 +137,25 @@ void append_clocks(std::string& output, const std::optional<x86::Range>& clocks)
   }
 }
 
+/// The instructions that the model cannot run.
+struct Unmodelled {
+  std::uint64_t lines = 0;
+  std::vector<std::string> first;  ///< the first different ones
+
+  void add(std::string_view instruction) {
+    constexpr std::size_t most = 3;
+    ++lines;
+    const std::size_t end = instruction.find_last_not_of(" \t");
+    const std::string text = support::printable(instruction.substr(0, end + 1));
+    if (first.size() < most && std::ranges::find(first, text) == first.end()) first.push_back(text);
+  }
+};
+
 /// Answers one line.
 /// @param timed the processor whose clocks the answer includes, if any
-/// @param unmodelled incremented if the model cannot run the instruction
+/// @param unmodelled gets the instruction if the model cannot run it
 void answer(std::string_view line, x86::Target cpu, std::optional<x86::Cpu> timed,
-            std::string& output, std::uint64_t& unmodelled) {
+            std::string& output, Unmodelled& unmodelled) {
   const auto bar = line.find('|');
   if (bar == std::string_view::npos)
     throw support::UsageError("the '|' between instruction and registers is missing");
@@ -151,7 +168,7 @@ void answer(std::string_view line, x86::Target cpu, std::optional<x86::Cpu> time
   State state = parse_state(line.substr(bar + 1), cpu);
   const auto without_answer = [&] {
     output += "unmodelled";
-    ++unmodelled;
+    unmodelled.add(line.substr(0, bar));
   };
   if (!instruction || !x86::is_modelled(*instruction, cpu)) return without_answer();
   const x86::Mnemonic op = instruction->mnemonic;
@@ -173,13 +190,16 @@ void answer(std::string_view line, x86::Target cpu, std::optional<x86::Cpu> time
 }
 
 int run(x86::Target cpu, std::optional<x86::Cpu> timed) {
-  std::uint64_t unmodelled = 0;
+  Unmodelled unmodelled;
   answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {
     answer(line, cpu, timed, output, unmodelled);
   });
-  if (unmodelled > 0) {
-    support::write_error(fmt::format("fixproof step: {} line{} unmodelled\n", unmodelled,
-                                     unmodelled > 1 ? "s" : ""));
+  if (unmodelled.lines > 0) {
+    support::write_error(fmt::format(
+        "fixproof step: {} line{} unmodelled, such as {}; the model has what FIXED.ASM and the "
+        "inner "
+        "loops use, on registers: fixproof list forms\n",
+        unmodelled.lines, unmodelled.lines > 1 ? "s" : "", fmt::join(unmodelled.first, "; ")));
   }
   return 0;
 }

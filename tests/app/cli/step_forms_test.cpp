@@ -277,8 +277,10 @@ TEST_P(StepForms, NoOthersAreModelled) {
     const bool has_state = given[i].starts_with("ax=");
     EXPECT_EQ(has_state ? "modelled" : given[i], expected[i]) << asked[i];
   }
-  EXPECT_EQ(run.err, fmt::format("fixproof step: {} lines unmodelled\n",
-                                 std::count(expected.begin(), expected.end(), "unmodelled")));
+  EXPECT_TRUE(
+      run.err.starts_with(fmt::format("fixproof step: {} lines unmodelled, such as ",
+                                      std::count(expected.begin(), expected.end(), "unmodelled"))))
+      << run.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(Processor, StepForms, testing::Values("8088", "386"),
