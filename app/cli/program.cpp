@@ -12,7 +12,7 @@ void ProgramOptions::add_to(CLI::App& command, bool with_loops) {
   command
       .add_option("routine", operation,
                   with_loops ? "mul, div, cossin, xformvec or concat; or an inner loop: "
-                               "gouraud-byte, gouraud-word, depth, texture; or forms"
+                               "gouraud-byte, gouraud-word, depth, texture"
                              : "mul, div, cossin, xformvec or concat")
       ->required();
   variant.add_to(command);
