@@ -101,7 +101,7 @@ TEST(JudgeProof, OneWrongCaseIn2To32IsFoundByTheProofAlone) {
                "--frame|ax, bx -> ax|--as|mul|--format|q8_8|--rounding|floor" + prove),
          1,
          {"AGREES on 5,000 cases", "DISPROVEN (",
-          "\n  1234 0125 (18.203 1.145): 14d5 expected, 0001 said"});
+          "\n  1234 0125 (18.203125 1.14453125): 14d5 expected, 0001 said"});
 }
 
 TEST(JudgeProof, AWrongRuleIsDisproven) {
