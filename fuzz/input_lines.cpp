@@ -153,7 +153,7 @@ std::optional<check::Said> next_right(check::FileCases& source, cases::Operation
 std::optional<bool> all_correct(cases::Operation operation, const std::string& cases,
                                 const std::string& results) {
   const fuzz::MemoryFile file(cases);
-  check::FileCases source(check::variant_of(operation), file.path());
+  check::FileCases source(cases::variant_of(operation, cases::q16_16), file.path());
   std::istringstream in(results);
   check::Results said(in, "results", cases::q16_16);
   bool all = true;

@@ -61,6 +61,8 @@ namespace detail {
       return negative && rest != 0;
     case Rounding::truncate:
       return false;
+    case Rounding::ceiling:
+      return !negative && rest != 0;
   }
   throw std::invalid_argument("no such rounding");
 }
@@ -224,6 +226,7 @@ namespace detail {
     root += std::uint64_t{1} << bit;
   }
   if (rule == Rounding::floor || rule == Rounding::truncate) return root;
+  if (rule == Rounding::ceiling) return root + (rest > 0 ? 1 : 0);
   // The radicand exceeds (root + 1/2)^2 when the rest exceeds root + 1/4.
   return root + (rest > root ? 1 : 0);
 }

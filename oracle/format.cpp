@@ -8,8 +8,6 @@ namespace {
 
 void require_valid(const Format& format) {
   if (format.bits < 1 || format.bits > 64) throw std::invalid_argument("a word has 1 to 64 bits");
-  if (format.fraction_bits < 0 || format.fraction_bits > format.bits)
-    throw std::invalid_argument("fraction_bits must be 0 ... bits");
 }
 
 /// 0 <= exponent <= 64.
@@ -61,6 +59,8 @@ Int rounded(const std::type_identity_t<Int>& numerator,
       return floor_of<Int>(n, d);
     case Rounding::truncate:
       return sign * floor_of<Int>(abs(n), d);
+    case Rounding::ceiling:
+      return -floor_of<Int>(-n, d);
   }
   throw std::invalid_argument("no such rounding");
 }
@@ -68,6 +68,8 @@ Int rounded(const std::type_identity_t<Int>& numerator,
 template <class Int>
 Int one(const Format& format) {
   require_valid(format);
+  if (format.fraction_bits < 0 || format.fraction_bits > format.bits)
+    throw std::invalid_argument("fraction_bits must be 0 ... bits");
   return power_of_two<Int>(format.fraction_bits);
 }
 
@@ -122,6 +124,7 @@ std::optional<Int> exact_root(LongWord x, Rounding rule, const Format& format) {
   Int rest;
   const Int floor = boost::multiprecision::sqrt(radicand, rest);
   if (rule == Rounding::floor || rule == Rounding::truncate) return floor;
+  if (rule == Rounding::ceiling) return rest > 0 ? floor + 1 : floor;
   // The rest is radicand - floor^2; above the midpoint it exceeds floor + 1/4.
   return rest > floor ? floor + 1 : floor;
 }

@@ -22,7 +22,7 @@ template <class Int = Integer>
 [[nodiscard]] Int rounded(const std::type_identity_t<Int>& numerator,
                           const std::type_identity_t<Int>& denominator, Rounding rule);
 
-/// 1.0 in ulps, 2^F.
+/// 1.0 in ulps, 2^F, for 0 <= F <= bits. Only functions that need it require such a format.
 template <class Int = Integer>
 [[nodiscard]] Int one(const Format& format);
 
@@ -51,9 +51,9 @@ template <class Int = Integer>
 [[nodiscard]] std::optional<Int> exact_quotient(LongWord n, LongWord d, Rounding rule,
                                                 const Format& format);
 
-/// The square root of x; empty if and only if x is negative. Rounded down by floor and truncate,
-/// to nearest by the other rules; there are no ties, because the square of a half-integer is not an
-/// integer.
+/// The square root of x; empty if and only if x is negative. Rounded down by floor and truncate, up
+/// by ceiling, to nearest by the other rules; there are no ties, because the square of a
+/// half-integer is not an integer.
 template <class Int = Integer>
 [[nodiscard]] std::optional<Int> exact_root(LongWord x, Rounding rule, const Format& format);
 

@@ -41,6 +41,7 @@ enum class Rounding {
   floor,      ///< toward -infinity
   truncate,   ///< toward zero
   half_even,  ///< to nearest, ties to even
+  ceiling,    ///< toward +infinity
 };
 
 /// The result of n / d by a divide of FIXED.ASM, and when it raises #DE.

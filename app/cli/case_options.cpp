@@ -1,29 +1,58 @@
 #include "app/cli/case_options.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdint>
 
 #include "app/cli/arguments.hpp"
+#include "judge/check/rules.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::cli {
 
-void add_result_format(CLI::App& command, std::string& to) {
-  command.add_option("--to", to, "format of the results of convert, such as q8_8")
+void add_format_options(CLI::App& command, FormatOptions& options, const std::string& what) {
+  command
+      .add_option("--format", options.format,
+                  "format of the words: qW_F signed or uW_F unsigned, with W bits before the point "
+                  "and F after it, 2 to 64 in all; dB_F or udB_F for B bits in units of 10^-F; by "
+                  "default q16_16" +
+                      what)
       ->check(not_empty());
+  command
+      .add_option("--to", options.to,
+                  "format of the results, such as q8_8; by default that of the words, and required "
+                  "for convert")
+      ->check(not_empty());
+  command.add_option("--terms", options.terms, "number of products of dot")
+      ->transform(whole_number(1, cases::max_terms))
+      ->capture_default_str();
 }
 
-cases::Variant variant_in(cases::Operation operation, const cases::Format& format,
-                          const std::string& to) {
+cases::Variant variant_in(cases::Operation operation, const FormatOptions& options) {
   const bool converts = operation == cases::Operation::convert;
-  if (converts && to.empty()) {
+  if (converts && options.to.empty()) {
     throw support::UsageError(
         "convert: --to is required; name the format of the results, such as q8_8");
   }
-  if (!converts && !to.empty()) {
-    throw support::UsageError("--to applies only to convert; leave it out");
+  if (!options.to.empty() && !converts &&
+      (!check::is_judged(operation) || cases::is_conversion(operation))) {
+    throw support::UsageError(fmt::format(
+        "--to: {} has one format, that of --format; leave --to out", cases::name_of(operation)));
   }
-  return converts ? check::variant_of(operation, cases::format_named(to), format)
-                  : check::variant_of(operation, format);
+  const cases::Format operands =
+      options.format.empty() ? cases::q16_16 : cases::judged_format_named(options.format);
+  const cases::Format results =
+      options.to.empty() ? operands : cases::judged_format_named(options.to);
+  cases::check_format(operation, operands);
+  cases::check_format(operation, results);
+  cases::Variant variant = cases::variant_of(operation, operands, results);
+  if (operation == cases::Operation::dot) {
+    variant.terms = options.terms;
+  } else if (options.terms != variant.terms) {
+    throw support::UsageError(fmt::format("--terms applies only to dot, not to {}; leave it out",
+                                          cases::name_of(operation)));
+  }
+  return variant;
 }
 
 void add_case_options(CLI::App& command, check::CaseOptions& options) {

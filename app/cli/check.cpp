@@ -1,17 +1,18 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <system_error>
-#include <utility>
+#include <vector>
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/case_options.hpp"
+#include "app/cli/check_rules.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/port_option.hpp"
-#include "app/cli/rule_named.hpp"
 #include "judge/check/cases.hpp"
 #include "judge/check/judge.hpp"
 #include "judge/check/results.hpp"
@@ -28,15 +29,8 @@ namespace {
 
 struct CheckOptions {
   std::string operation;
-  std::string format = "q16_16";
-  std::string to;
-  std::string rule;
-  std::string rounding;
-  std::string overflow;
-  std::string divide_by_zero = "de";
-  std::string negative_root = "de";
-  std::string not_finite = "de";
-  std::string outside_domain = "de";
+  FormatOptions formats;
+  RuleOptions rules;
   std::string results;
   std::string from;
   check::CaseOptions cases;
@@ -44,111 +38,53 @@ struct CheckOptions {
 };
 
 constexpr std::string_view judged_operations =
-    "mul, div, sqrt, add, sub, from_binary64, convert, from_decimal, to_decimal, or a function of "
-    "docs/functions.md";
+    "mul, div, sqrt, add, sub, mul_add, lerp, dot, from_binary64, convert, from_decimal, "
+    "to_decimal, "
+    "or a function of docs/functions.md";
 
-/// The option for operands without a result, and its value.
-std::pair<std::string_view, std::string_view> no_result_option(const CheckOptions& options,
-                                                               cases::Operation operation) {
-  if (cases::is_function(operation)) return {"--outside-domain", options.outside_domain};
-  if (operation == cases::Operation::sqrt) return {"--negative-root", options.negative_root};
-  if (operation == cases::Operation::from_binary64) return {"--not-finite", options.not_finite};
-  return {"--divide-by-zero", options.divide_by_zero};
-}
-
-check::Rules rules_of(const CheckOptions& options) {
-  check::Rules rules;
-  rules.operation = cases::operation_named(options.operation);
-  if (!check::is_judged(rules.operation)) {
-    throw support::UsageError(
-        fmt::format("check {}: choose {}", options.operation, judged_operations));
+std::string formats_of(const cases::Variant& v) {
+  std::string text = v.operation == cases::Operation::dot ? fmt::format(" of {}", v.terms) : "";
+  if (v.from || v.operation == cases::Operation::convert) {
+    return text + fmt::format(" {} to {}", cases::name_of(cases::operand_format(v)),
+                              cases::name_of(v.format));
   }
-  const cases::Variant variant =
-      variant_in(rules.operation, cases::format_named(options.format), options.to);
-  rules.format = variant.format;
-  rules.from = variant.from;
-  if (!options.rule.empty()) {
-    return port_rules_named(options.rule, rules.operation, rules.format);
-  }
-  if (check::is_rounded(rules.operation)) {
-    if (options.rounding.empty()) {
-      throw support::UsageError(
-          fmt::format("check {}: --rounding or --rule is required; name the rule that results "
-                      "should follow, such as half-up",
-                      options.operation));
-    }
-    rules.rounding = rule_named("--rounding", options.rounding, check::roundings());
-  }
-  const bool is_function = cases::is_function(rules.operation);
-  const std::string_view overflow = !options.overflow.empty() ? std::string_view(options.overflow)
-                                    : is_function             ? "saturate"
-                                                              : "wrap";
-  rules.overflow = rule_named("--overflow", overflow, check::overflow_rules(),
-                              std::optional(check::Overflow::any));
-  if (is_function && rules.overflow == check::Overflow::wrap) {
-    throw support::UsageError(
-        fmt::format("--overflow wrap: {} is judged by results in range; choose another rule",
-                    options.operation));
-  }
-  cases::check_format(rules.operation, rules.format);
-  if (check::can_lack_result(rules.operation, rules.format)) {
-    const auto [option, rule] = no_result_option(options, rules.operation);
-    rules.no_result = rule_named(option, rule, check::no_result_rules(rules.operation),
-                                 std::optional(check::NoResult::any));
-  }
-  return rules;
-}
-
-std::string formats_of(const check::Rules& rules) {
-  if (rules.operation == cases::Operation::convert) {
-    return fmt::format(" {} to {}", cases::name_of(rules.from), cases::name_of(rules.format));
-  }
-  return rules.format == cases::q16_16 ? "" : " " + cases::name_of(rules.format);
+  return v.format == cases::q16_16 ? text : text + " " + cases::name_of(v.format);
 }
 
 std::string heading(const check::Rules& rules, const std::string& cases) {
+  const cases::Variant& variant = rules.variant;
+  std::string text = fmt::format("{}{}: ", cases::name_of(variant.operation), formats_of(variant));
   if (rules.port != nullptr) {
-    return fmt::format("{}{}: {}; cases of {}\n\n", cases::name_of(rules.operation),
-                       formats_of(rules), port_text(*rules.port), cases);
+    return text + fmt::format("{}; cases of {}\n\n", port_text(*rules.port), cases);
   }
-  const bool rounded = check::is_rounded(rules.operation);
-  std::string text =
-      fmt::format("{}{}: {}", cases::name_of(rules.operation), formats_of(rules),
-                  rounded ? check::name_of(rules.rounding) : std::string_view("exact"));
-  if (check::can_overflow(rules.operation, rules.format)) {
-    text += fmt::format(", overflow {}", check::name_of(rules.overflow));
+  text += check::text_of_rounding(rules);
+  if (check::can_overflow(variant)) {
+    text += fmt::format(", overflow {}", check::text_of_overflow(rules));
   }
-  if (cases::divides(rules.operation)) {
-    text += fmt::format(", divide by zero {}", check::name_of(rules.no_result));
-  }
-  if (rules.operation == cases::Operation::sqrt && rules.format.is_signed) {
-    text += fmt::format(", negative root {}", check::name_of(rules.no_result));
-  }
-  if (rules.operation == cases::Operation::from_binary64) {
-    text += fmt::format(", not finite {}", check::name_of(rules.no_result));
-  }
-  if (cases::is_function(rules.operation)) {
-    text += fmt::format(", outside domain {}", check::name_of(rules.no_result));
+  if (check::can_lack_result(variant)) {
+    const std::string_view option = no_result_option(variant.operation);
+    std::string what(option.substr(2));
+    std::ranges::replace(what, '-', ' ');
+    text += fmt::format(", {} {}", what, check::text_of_no_result(rules));
   }
   return text + fmt::format("; cases of {}\n\n", cases);
 }
 
 /// If only operands without a result have wrong results, names the option that accepts these.
-std::string no_result_hint(const check::Judge& judge, const CheckOptions& options) {
+std::string no_result_hint(const check::Judge& judge) {
   const check::Rules& rules = judge.rules();
-  const std::uint64_t wrong = judge.wrong().count();
+  const std::uint64_t wrong = judge.wrong();
   if (wrong == 0 || rules.port != nullptr ||
       judge.tally(check::CaseKind::no_result, false).wrong != wrong) {
     return "";
   }
   const check::BestRules best = judge.trial().no_result(0);
   const bool is_kept = best.first.exceptions.count() == 0;
-  return fmt::format(
-      "\nAll wrong results are in the row '{}'; {} {} accepts them.\n",
-      check::name_of(check::CaseKind::no_result, rules.operation),
-      no_result_option(options, rules.operation).first,
-      check::name_of(is_kept ? check::no_result_rules(rules.operation, rules.format)[best.rules[0]]
-                             : check::NoResult::any));
+  return fmt::format("\nAll wrong results are in the row '{}'; {} {} accepts them.\n",
+                     check::name_of(check::CaseKind::no_result, rules.variant.operation),
+                     no_result_option(rules.variant.operation),
+                     check::name_of(is_kept ? check::no_result_rules(rules.variant)[best.rules[0]]
+                                            : check::NoResult::any));
 }
 
 /// Judges the result of every case, or stops early after an interrupt.
@@ -156,17 +92,20 @@ std::string no_result_hint(const check::Judge& judge, const CheckOptions& option
 void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& judge) {
   const support::Interrupt interrupt;
   support::FrameProgress progress(cases.count().value_or(1), "cases");
-  const cases::Format& format = judge.rules().format;
-  const cases::Operation operation = judge.rules().operation;
-  const bool converts = check::is_judged_by_value(operation);
-  const auto arity = cases::words_in(judge.rules().operation);
+  const cases::Variant& variant = judge.rules().variant;
+  const bool by_value = check::is_judged_by_value(variant);
   check::JudgedCase one;
-  std::array<std::uint32_t, 6> room{};  // three operands of 64 bits
-  const auto parts = std::span(room).first(arity * cases::words_per_number(format));
+  std::vector<std::uint32_t> parts(cases::words_in(variant));
   const auto next_case = [&] {
-    if (converts) return (one.converted = cases.next_converted()).has_value();
+    if (by_value) {
+      one.converted = cases.next_converted();
+      if (!one.converted) return false;
+      const auto& words = one.converted->words;
+      std::copy_n(words.begin(), std::min(words.size(), one.words.size()), one.words.begin());
+      return true;
+    }
     if (!cases.next(parts)) return false;
-    check::join_words(parts, format, std::span(one.words).first(arity));
+    check::join_words(parts, variant.format, std::span(one.words).first(operands_of(variant)));
     return true;
   };
   while (!support::Interrupt::flag() && next_case()) {
@@ -181,7 +120,7 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
     ++one.number;
     one.origin = cases.origin();
     one.said = *said;
-    if (converts) one.said_text = results.text();
+    if (by_value) one.said_text = results.text();
     judge.add(one);
     if (cases.count() && judge.cases() % 4096 == 0) progress.show(judge.cases());
   }
@@ -192,26 +131,14 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
   }
 }
 
-/// Rejects options that have no effect on the operation, because they are probably mistakes.
-void refuse_idle_options(const CLI::App& command, cases::Operation operation,
-                         const cases::Format& format) {
-  const auto refuse = [&command](const char* option, bool applies, std::string_view operations) {
-    if (applies || command.count(option) == 0) return;
+int check(const CLI::App& command, const CheckOptions& options) {
+  const cases::Operation operation = cases::operation_named(options.operation);
+  if (!check::is_judged(operation)) {
     throw support::UsageError(
-        fmt::format("{} applies only to {}; leave it out", option, operations));
-  };
-  refuse("--rounding", check::is_rounded(operation), "results that are rounded");
-  refuse("--overflow", check::can_overflow(operation, format), "results that can overflow");
-  refuse("--not-finite", operation == cases::Operation::from_binary64, "from_binary64");
-  refuse("--outside-domain", cases::is_function(operation), "functions of real numbers");
-  refuse("--divide-by-zero", cases::divides(operation), "div, mul_div, fmod and remainder");
-  refuse("--negative-root", operation == cases::Operation::sqrt && format.is_signed,
-         "sqrt of a signed format");
-}
-
-int check(const CheckOptions& options) {
-  const check::Rules rules = rules_of(options);
-  const cases::Variant variant = check::variant_of(rules.operation, rules.format, rules.from);
+        fmt::format("check {}: choose {}", options.operation, judged_operations));
+  }
+  const cases::Variant variant = variant_in(operation, options.formats);
+  const check::Rules rules = rules_of(command, options.rules, variant);
   std::unique_ptr<check::CaseSource> cases;
   if (options.from.empty()) {
     cases = std::make_unique<check::GeneratedCases>(variant, options.cases);
@@ -232,7 +159,7 @@ int check(const CheckOptions& options) {
   }
   const bool piped = options.results.empty();
   check::Results results(piped ? std::cin : file, piped ? "standard input" : options.results,
-                         rules.format, rules.operation == cases::Operation::to_decimal);
+                         variant.format, variant.operation == cases::Operation::to_decimal);
   check::Judge judge(rules, options.shown);
   std::string failure;
   try {
@@ -244,63 +171,27 @@ int check(const CheckOptions& options) {
   if (judge.cases() > 0) {
     std::cout << heading(rules, options.from.empty() ? options.cases.command_line(variant)
                                                      : support::printable(options.from))
-              << check::verdict_text(judge) << no_result_hint(judge, options);
+              << check::verdict_text(judge) << no_result_hint(judge);
   }
   if (support::Interrupt::flag()) {
     std::cout << fmt::format("\nSTOPPED after {}{} cases\n", support::grouped(judge.cases()),
                              cases->count() ? " of " + support::grouped(*cases->count()) : "");
-    return judge.wrong().count() > 0 ? 1 : support::interrupted_status;
+    return judge.is_right() ? support::interrupted_status : 1;
   }
   if (!failure.empty()) throw support::UsageError(failure);
   if (judge.cases() == 0) {
     throw support::UsageError(
         "nothing was judged, because there are no cases; check --from, --shard and --cases");
   }
-  return judge.wrong().count() > 0 ? 1 : 0;
+  return judge.is_right() ? 0 : 1;
 }
 
 void add_check_options(CLI::App& command, CheckOptions& options) {
   command.add_option("operation", options.operation, std::string(judged_operations))->required();
   command.add_option("results", options.results, "file of results; by default standard input")
       ->check(not_empty());
-  command
-      .add_option("--format", options.format,
-                  "format of the words: qW_F signed or uW_F unsigned, with W bits before the point "
-                  "and F after it, 8, 16, 32 or 64 in all")
-      ->capture_default_str();
-  command.add_option("--rounding", options.rounding,
-                     "expected rounding: half-up, half-away, half-even, floor or toward-zero; "
-                     "required unless there is a --rule or results are exact (add, sub, fmod, "
-                     "remainder, to_decimal)");
-  command
-      .add_option(
-          "--overflow", options.overflow,
-          "expected result of an overflow: wrap, saturate, symmetric, maximum, minimum, de or any; "
-          "by default wrap, or saturate for functions of real numbers")
-      ->check(not_empty());
-  command
-      .add_option(
-          "--divide-by-zero", options.divide_by_zero,
-          "expected result of div, mul_div, fmod and remainder by 0: de, saturate, symmetric, "
-          "maximum, minimum, zero or any")
-      ->capture_default_str();
-  command
-      .add_option("--negative-root", options.negative_root,
-                  "expected result of sqrt below 0: de, maximum, minimum, zero, mirror or any")
-      ->capture_default_str();
-  command
-      .add_option("--outside-domain", options.outside_domain,
-                  "expected result of a function outside its domain: de, maximum, minimum, zero or "
-                  "any")
-      ->capture_default_str();
-  command
-      .add_option(
-          "--not-finite", options.not_finite,
-          "expected result of from_binary64 of NaN and infinities: de, saturate, symmetric, "
-          "maximum, minimum, zero or any")
-      ->capture_default_str();
-  add_port_option(command, options.rule, {"--rounding", "--overflow", "--divide-by-zero"});
-  add_result_format(command, options.to);
+  add_format_options(command, options.formats, "");
+  add_rule_options(command, options.rules);
   auto* from = command
                    .add_option("--from", options.from,
                                "file of cases; by default check makes the cases of gen")
@@ -323,8 +214,9 @@ void add_check(CLI::App& app, int& status) {
   add_check_options(*command, *options);
   command->footer(
       R"(The judged program reads the lines of `fixproof gen` and writes one result per line: 8 lower-case
-hex digits (no 0x), or DE for a divide error; 2, 4 or 16 digits in a --format of 8, 16 or 64 bits.
-Give check the same --format, --level, --seed, --shard and --cases as gen, so that both have the
+hex digits (no 0x), or DE for a divide error. With --format and --to it writes the digits of the
+integer of 8, 16, 32 or 64 bits that stores a word, with its sign in the bits above.
+Give check the same --format, --to, --terms, --level, --seed, --shard and --cases as gen, so that both have the
 same cases. With --from it reads your own cases. It skips lines that start with #, in results and
 in cases.
 
@@ -344,9 +236,10 @@ lowest, and an unsigned one saturates a negative difference to 0:
   zero        0
   de          DE, a divide error
   any         every result is accepted and counted
-A square root is never a tie, so half-up, half-away and half-even agree. floor and toward-zero
-agree too, except under mirror, where floor rounds away from zero. Under saturate and
-symmetric, 0 / 0 and NaN may also be 0.
+  00000000    this word, or -1.5, the word of this number
+A square root is a tie only if its results have a coarser unit, so half-up, half-away and half-even
+agree. floor and toward-zero agree too, except under mirror, where floor rounds away from zero.
+Under saturate and symmetric, 0 / 0 and NaN may also be 0.
 
 --rule names the program whose routine the results should be those of, for every operand, faults
 included. Those of build are for every format with 32 bits, sign and fraction:
@@ -363,12 +256,12 @@ Examples:
     fixproof check from_binary64 --format q8_24 --rounding half-even --overflow saturate
   fixproof gen div | ./mine | fixproof check div --rule doom
   fixproof gen add | ./mine | fixproof check add --overflow saturate
+  fixproof gen sin | ./mine | fixproof check sin --within 2
+  fixproof gen mul --format q2_16 --to q4_32 | ./mine | fixproof check mul --format q2_16 --to q4_32
+  fixproof gen dot --terms 8 --format q1_15 | ./mine |
+    fixproof check dot --terms 8 --format q1_15 --rounding floor --overflow saturate
   ./mine < few.txt | fixproof check mul --from few.txt --rounding floor --overflow any)");
-  command->callback([options, command, &status] {
-    refuse_idle_options(*command, cases::operation_named(options->operation),
-                        cases::format_named(options->format));
-    status = check(*options);
-  });
+  command->callback([options, command, &status] { status = check(*command, *options); });
 }
 
 }  // namespace fixproof::cli

@@ -5,10 +5,13 @@
 #include <memory>
 
 #include "app/cli/arguments.hpp"
+#include "app/cli/case_options.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/lines.hpp"
 #include "app/cli/options.hpp"
 #include "app/cli/selection.hpp"
+#include "judge/check/operands.hpp"
+#include "judge/check/rules.hpp"
 #include "support/usage_error.hpp"
 #include "verify/cases/words.hpp"
 #include "verify/parties/party.hpp"
@@ -20,7 +23,7 @@ namespace {
 struct EvalOptions {
   std::string operation;
   std::string by;
-  std::string format;
+  FormatOptions formats;
   VariantOptions variant;
 };
 
@@ -35,38 +38,87 @@ void append_answer(std::string& output, parties::Ending ending,
   cases::append_words(output, words, word_bits);
 }
 
-cases::Variant chosen(const EvalOptions& options) {
+cases::Variant chosen(const EvalOptions& options, cases::Operation operation) {
   const VariantOptions& v = options.variant;
-  if (!options.format.empty()) {
-    if (!v.targets.empty() || v.mul_round || v.div_round || v.as_printed || v.chapter_52 ||
-        v.repaired) {
+  const bool has_routine_option = !v.targets.empty() || v.mul_round || v.div_round ||
+                                  v.as_printed || v.chapter_52 || v.repaired;
+  if (!options.formats.format.empty() || !options.formats.to.empty()) {
+    if (has_routine_option) {
       throw support::UsageError(
           "--format: other formats have no target, rounding or chapter; leave these options out");
     }
-    const cases::Operation operation = format_operation_named(options.operation);
-    const cases::Format format = cases::format_named(options.format);
-    cases::check_format(operation, format);
-    return {.operation = operation, .build = {.target = cases::Target::standard}, .format = format};
+    if (!check::is_judged(operation)) format_operation_named(options.operation);
   }
-  const cases::Operation operation = answered_operation_named(options.operation);
+  const cases::Variant in_format = variant_in(operation, options.formats);
+  if (!options.formats.format.empty() || !options.formats.to.empty()) return in_format;
   if (cases::is_routine(operation)) {
     const cases::Variant variant = v.choose(operation);
     if (v.has_printed_shift(variant)) throw support::UsageError(no_printed_shift);
     return variant;
   }
   if (v.repaired) throw support::UsageError(only_repaired);
-  if (!v.targets.empty() || v.mul_round || v.div_round || v.as_printed || v.chapter_52) {
+  if (has_routine_option) {
     throw support::UsageError(fmt::format(
         "{} is not a routine: it has no target, rounding or chapter; leave these options out",
         options.operation));
   }
-  return {.operation = operation, .build = {.target = cases::Target::standard}};
+  return in_format;
+}
+
+/// The word of a function outside its domain: the end of the range nearest to a pole, or 0.
+check::NoResult outside_domain(cases::Operation operation) {
+  using enum cases::Operation;
+  switch (operation) {
+    case log2:
+    case log:
+    case log10:
+    case log1p:
+      return check::NoResult::minimum;
+    case rsqrt:
+    case reciprocal:
+    case tan_of_degrees:
+    case tan_of_turns:
+      return check::NoResult::maximum;
+    default:
+      return check::NoResult::zero;
+  }
+}
+
+/// Answers what no party does: sums, formats that the type lacks, and results of another format.
+void answer_exactly(const cases::Variant& variant) {
+  check::Rules rules{.variant = variant};
+  if (cases::is_function(variant.operation)) {
+    rules.overflow = check::Overflow::saturate;
+    rules.no_result = outside_domain(variant.operation);
+  } else if (variant.operation == cases::Operation::sqrt) {
+    rules.no_result = check::NoResult::zero;
+  }
+  answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {
+    const check::Converted operands = check::parse_converted(line, variant);
+    const bool is_pole =
+        variant.operation == cases::Operation::pow && !operands.value && operands.words[0] == 0;
+    const check::Said said =
+        is_pole ? check::highest(variant.format) : check::expected_of(rules, operands).said;
+    output += said ? check::hex_text(*said, variant.format) : "DE";
+  });
 }
 
 int run(const EvalOptions& options) {
-  const cases::Variant variant = chosen(options);
-  const cases::Operation operation = variant.operation;
-  const bool by_model = cases::is_routine(operation) && options.format.empty();
+  const cases::Operation operation = evaluated_operation_named(options.operation);
+  const cases::Variant variant = chosen(options, operation);
+  const bool has_party =
+      !variant.from && cases::is_of_type(variant.format) && !cases::is_sum(operation);
+  if (!has_party) {
+    if (!options.by.empty() && options.by != "oracle") {
+      throw support::UsageError(fmt::format(
+          "--by {}: only the oracle answers sums, results of another format and formats such as "
+          "q2_16; leave --by out",
+          options.by));
+    }
+    answer_exactly(variant);
+    return 0;
+  }
+  const bool by_model = cases::is_routine(operation) && options.formats.format.empty();
   const bool by_type = parties::party_named("type").answers(variant);
   const std::string by = !options.by.empty() ? options.by
                          : by_model          ? "model"
@@ -98,10 +150,11 @@ void add_eval(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("eval", "compute the result of each line of operands on standard input");
   command
-      ->add_option("operation", options->operation,
-                   "mul, div, cossin, xformvec, concat, sqrt, add, sub, decimal, binary64, or a "
-                   "function: " +
-                       cases::function_names())
+      ->add_option(
+          "operation", options->operation,
+          "mul, div, cossin, xformvec, concat, sqrt, add, sub, mul_add, lerp, dot, decimal, "
+          "binary64, or a function: " +
+              cases::function_names())
       ->required();
   command
       ->add_option(
@@ -110,14 +163,11 @@ void add_eval(CLI::App& app, int& status) {
           "FILE:FUNCTION of a shared library; by default model for routines, type for other "
           "operations")
       ->check(not_empty());
-  command
-      ->add_option(
-          "--format", options->format,
-          "format of the words, such as q2_30 or u8_8. add, sub, mul, div, mul_div, sqrt, "
-          "decimal and binary64 round half up and wrap. fmod and remainder (signed formats) "
-          "are exact. Other functions round to nearest, in at most 32 bits. type answers in "
-          "named formats, oracle in others")
-      ->check(not_empty());
+  add_format_options(
+      *command, options->formats,
+      ". Results round half up and wrap, fmod and remainder (signed formats) are exact, and "
+      "functions round to nearest and saturate, in at most 32 bits. type answers in named formats, "
+      "oracle in others");
   options->variant.add_to(*command);
   command->footer(
       R"(Words are 8 lower-case hex digits of two's complement, separated by single spaces:
@@ -127,11 +177,14 @@ void add_eval(CLI::App& app, int& status) {
   fmod, remainder   a b                      -> one word, DE for a zero divisor
   mul_div    a b c                           -> the word of a x b / c, DE for a zero divisor
   hypot3     a b c                           -> one word
+  mul_add    a b c                           -> the word of a x b + c, rounded once
+  lerp       a b t                           -> the word of a + (b - a) x t
+  dot        a1 a2 ... b1 b2 ...             -> the word of a1 x b1 + a2 x b2 + ..., see --terms
   cossin     an angle in tenths, 4 digits    -> cosine and sine
   xformvec   12 words, row-major, then x y z -> 3 words
   concat     12 words, then 12               -> 12 words
   others     one word                        -> one word; sin and cos take radians
-With --format, words have a hex digit for every four bits of the format.
+With --format, words have the hex digits of the integer of 8, 16, 32 or 64 bits that stores them.
 Blank lines and lines that start with # are skipped.
 
 Examples:
@@ -140,7 +193,8 @@ Examples:
   echo 00010000 | fixproof eval sin                     # sine of one radian: 0000d76b
   echo 01c2 | fixproof eval cossin --by type            # 45.0 degrees
   echo 00030000 00050000 00040000 | fixproof eval mul_div   # 3 x 5 / 4: 0003c000
-  echo 60000000 20000000 | fixproof eval mul --format q2_30   # 1.5 x 0.5: 30000000)");
+  echo 60000000 20000000 | fixproof eval mul --format q2_30   # 1.5 x 0.5: 30000000
+  echo 80000000 80000000 | fixproof eval hypot --format q1_31 --to q2_30   # 1.41421356: 5a82799a)");
   command->callback([options, &status] { status = run(*options); });
 }
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/case_options.hpp"
@@ -25,8 +25,7 @@ namespace {
 struct GenOptions {
   std::string operation;
   check::CaseOptions cases;
-  std::string format;
-  std::string to;
+  FormatOptions formats;
   std::string file;
   bool comments = false;
 };
@@ -68,11 +67,10 @@ class LineOutput {
 int generate(const GenOptions& options) {
   constexpr std::size_t flush_size = 1U << 16U;
   const cases::Operation operation = cases::operation_named(options.operation);
-  const bool in_format = !options.format.empty();
-  if (in_format && !cases::is_conversion(operation)) format_operation_named(options.operation);
-  const cases::Variant variant = variant_in(
-      operation, in_format ? cases::format_named(options.format) : cases::q16_16, options.to);
-  cases::check_format(operation, variant.format);
+  if (!check::is_judged(operation) && !options.formats.format.empty()) {
+    format_operation_named(options.operation);
+  }
+  const cases::Variant variant = variant_in(operation, options.formats);
   check::GeneratedCases cases(variant, options.cases);
   const std::uint64_t all = *cases.count();
   if (all == 0) {
@@ -80,8 +78,7 @@ int generate(const GenOptions& options) {
         fmt::format("--shard {}: this part has no cases; use fewer parts", options.cases.shard));
   }
   LineOutput output(options.file);
-  std::array<std::uint32_t, cases::max_words_in> room{};
-  const auto words = std::span(room).first(cases::words_in(variant));
+  std::vector<std::uint32_t> words(cases::words_in(variant));
   const support::Interrupt interrupt;
   support::FrameProgress progress(all, "cases");
   std::string pending;
@@ -120,16 +117,12 @@ void add_gen(CLI::App& app, int& status) {
       app.add_subcommand("gen", "write the cases of a verification as input for another program");
   command
       ->add_option("operation", options->operation,
-                   "mul, div, sqrt, add, sub, from_binary64, convert, from_decimal, to_decimal, "
-                   "cossin, xformvec, concat, decimal, binary64, or a function: " +
+                   "mul, div, sqrt, add, sub, mul_add, lerp, dot, from_binary64, convert, "
+                   "from_decimal, to_decimal, cossin, xformvec, concat, decimal, binary64, or a "
+                   "function: " +
                        cases::function_names())
       ->required();
-  command
-      ->add_option("--format", options->format,
-                   "format of the words, such as q2_30 or u8_8: add, sub, mul, div, sqrt, decimal, "
-                   "binary64, functions and conversions")
-      ->check(not_empty());
-  add_result_format(*command, options->to);
+  add_format_options(*command, options->formats, ". cossin, xformvec and concat have no other");
   add_case_options(*command, options->cases);
   command->add_option("-o,--output", options->file, "output file; by default standard output")
       ->check(not_empty());
@@ -139,8 +132,8 @@ void add_gen(CLI::App& app, int& status) {
       "follow");
   command->footer(
       R"(Writes one case per line in the format that `fixproof eval` reads: operands as lower-case hex
-digits of two's complement, separated by single spaces: 8 digits, or with --format one for every
-four bits. The cases are those of `fixproof verify`, stream by stream: boundary words, random
+digits of two's complement, separated by single spaces: 8 digits, or with --format those of the
+integer of 8, 16, 32 or 64 bits that stores a word. The cases are those of `fixproof verify`, stream by stream: boundary words, random
 words, constructed ties and their neighbours. The operands of conversions are a double as 16 hex
 digits (from_binary64), a word of --format (convert, to_decimal) or a decimal number (from_decimal).
 `fixproof check` makes the same cases from the same options and names the stream of a wrong result.
@@ -153,6 +146,8 @@ Examples:
   fixproof gen div --level 2 --shard 1/4 -o cases.txt
   fixproof gen mul --format q2_30         # words of eight digits, in units of 2^-30
   fixproof gen convert --format q16_16 --to q8_8
+  fixproof gen mul --format q2_16 --to q4_32   # words of 18 bits, products of 36
+  fixproof gen dot --terms 8 --format q1_15
   fixproof gen sqrt --cases 1000          # a thousand cases, evenly spread
   fixproof gen div --comments | less      # with the names of the streams)");
   command->callback([options, &status] { status = generate(*options); });

@@ -41,7 +41,8 @@ cases::Operation operation_of(std::string_view name) {
     if (name == shorter) name = known;
   }
   const cases::Operation operation = cases::operation_named(name);
-  if (!is_whole(operation) && (!check::is_judged(operation) || cases::is_conversion(operation))) {
+  if (!is_whole(operation) && (!check::is_judged(operation) || cases::is_conversion(operation) ||
+                               cases::is_sum(operation))) {
     throw support::UsageError(fmt::format(
         "--as {}: choose mul, div, sqrt, add, sub, muldiv, sin_cos, transform, or a function of "
         "docs/functions.md; ? tries them",
@@ -59,23 +60,23 @@ judge::Image image_of(const JudgeOptions& options) {
   return judge::load(options.file, load);
 }
 
-cases::Variant variant_of(cases::Operation operation, const cases::Format& format) {
+cases::Variant judged_variant(cases::Operation operation, const cases::Format& format) {
   cases::check_format(operation, format);
   if (is_whole(operation) && format != cases::q16_16) {
     throw support::UsageError(
         fmt::format("--as {} is for q16_16; leave out --format", cases::name_of(operation)));
   }
-  cases::Variant variant = check::variant_of(operation, format);
+  cases::Variant variant = cases::variant_of(operation, format);
   if (operation == cases::Operation::cossin) variant.build.target = cases::Target::i386;
   return variant;
 }
 
 check::Rules rules_of(const JudgeOptions& options, const cases::Variant& variant) {
   if (!options.rule.empty()) {
-    return port_rules_named(options.rule, variant.operation, variant.format);
+    return port_rules_named(options.rule, variant);
   }
-  check::Rules rules{.operation = variant.operation, .format = variant.format};
-  const bool rounds = !is_whole(variant.operation) && check::is_rounded(variant.operation);
+  check::Rules rules{.variant = variant};
+  const bool rounds = !is_whole(variant.operation) && check::is_rounded(variant);
   if (!options.rounding.empty()) {
     if (!rounds) throw support::UsageError("--rounding applies only to results that are rounded");
     rules.rounding = rule_named("--rounding", options.rounding, check::roundings());
@@ -93,14 +94,14 @@ check::Rules rules_of(const JudgeOptions& options, const cases::Variant& variant
 enum class Rounding { given, fitting, unknown };
 
 std::string rules_line(const check::Rules& rules, Rounding rounding) {
-  std::string text =
-      fmt::format("{} {}: ", cases::name_of(rules.operation), cases::name_of(rules.format));
-  if (is_whole(rules.operation)) return text + "every rule is tried";
+  std::string text = fmt::format("{} {}: ", cases::name_of(rules.variant.operation),
+                                 cases::name_of(rules.variant.format));
+  if (is_whole(rules.variant.operation)) return text + "every rule is tried";
   if (rules.port != nullptr) {
     return text + fmt::format("{}{}", port_text(*rules.port),
                               rounding == Rounding::fitting ? ", which fits" : "");
   }
-  if (!check::is_rounded(rules.operation)) {
+  if (!check::is_rounded(rules.variant)) {
     text += "exact";
   } else if (rounding == Rounding::unknown) {
     text += "any rounding";
@@ -108,10 +109,10 @@ std::string rules_line(const check::Rules& rules, Rounding rounding) {
     text += fmt::format("{}{}", check::name_of(rules.rounding),
                         rounding == Rounding::fitting ? ", the rounding that fits best" : "");
   }
-  if (check::can_overflow(rules.operation, rules.format)) {
+  if (check::can_overflow(rules.variant)) {
     text += fmt::format("; overflow {}", check::name_of(rules.overflow));
   }
-  if (check::can_lack_result(rules.operation, rules.format)) {
+  if (check::can_lack_result(rules.variant)) {
     text += fmt::format("; without a result {}", check::name_of(rules.no_result));
   }
   return text;
@@ -144,16 +145,15 @@ cases::Operation ask_operation(const JudgeOptions& options, const judge::Image& 
     if (!cases::is_in_format(operation, format)) continue;
     judge::VerdictOptions trial;
     judge::Subject subject{image, judge::frame_named(options.frame, image.bits),
-                           variant_of(operation, format)};
+                           judged_variant(operation, format)};
     try {
       judge::expect_fit(subject.frame, subject.variant, image.bits);
     } catch (const support::UsageError&) {
       continue;  // another number of operands
     }
-    trial.rules = {.operation = operation,
+    trial.rules = {.variant = subject.variant,
                    .overflow = check::Overflow::any,
-                   .no_result = check::NoResult::any,
-                   .format = format};
+                   .no_result = check::NoResult::any};
     trial.cases.cases = cases_to_ask;
     const judge::Verdict verdict = judge::judge_routine(subject, trial);
     if (verdict.stuck) continue;
@@ -220,7 +220,7 @@ bool print_proof(const JudgeOptions& options, const judge::Subject& subject,
 /// Tells whether a routine fails as code for another width does.
 bool fails_widely(const judge::Verdict& verdict) {
   if (verdict.stuck) return verdict.stuck->ending.end != judge::End::endless;
-  return verdict.judge && 2 * verdict.judge->wrong().count() > verdict.judge->cases();
+  return verdict.judge && 2 * verdict.judge->wrong() > verdict.judge->cases();
 }
 
 /// Returns the exit status. If the routine fails, it may be code that the machine misreads.
@@ -268,7 +268,7 @@ int judge_file(const JudgeOptions& options, const CLI::App& command) {
   }
   const cases::Operation operation =
       options.operation == "?" ? ask_operation(options, image) : operation_of(options.operation);
-  const cases::Variant variant = variant_of(operation, cases::format_named(options.format));
+  const cases::Variant variant = judged_variant(operation, cases::format_named(options.format));
   const judge::Subject subject = subject_of(options, image, variant);
   if (!options.trace.empty()) return trace_case(subject, options.trace);
   judge::VerdictOptions use{
@@ -280,7 +280,7 @@ int judge_file(const JudgeOptions& options, const CLI::App& command) {
   };
   if (is_whole(operation)) return judge_whole_results(options, subject, use, progress);
   use.rounding_is_open =
-      options.rounding.empty() && options.rule.empty() && check::is_rounded(operation);
+      options.rounding.empty() && options.rule.empty() && check::is_rounded(variant);
   const judge::Verdict verdict = judge::judge_routine(subject, use);
   progress.reset();
   const Rounding rounding = !use.rounding_is_open            ? Rounding::given

@@ -169,11 +169,11 @@ std::string verdict_text(const judge::Subject& subject, const judge::Verdict& ve
   std::string text = calls_text(subject, verdict);
   if (verdict.stuck || verdict.state) return text;
   const check::Judge& judge = *verdict.judge;
-  if (judge.wrong().count() == 0) {
+  if (judge.wrong() == 0) {
     text += fmt::format("AGREES on {} {}\n", support::grouped(judge.cases()),
                         judge.cases() == 1 ? "case" : "cases");
   } else {
-    text += fmt::format("WRONG in {} of {} {}\n", support::grouped(judge.wrong().count()),
+    text += fmt::format("WRONG in {} of {} {}\n", support::grouped(judge.wrong()),
                         support::grouped(judge.cases()), judge.cases() == 1 ? "case" : "cases");
     if (verdict.smallest) {
       text += fmt::format("  smallest: {}\n", smallest_text(*verdict.smallest, verdict.rules));

@@ -18,15 +18,15 @@ void add_port_option(CLI::App& command, std::string& name,
   for (const char* other : excluded) option->excludes(command.get_option(other));
 }
 
-check::Rules port_rules_named(const std::string& name, cases::Operation operation,
-                              const cases::Format& format) {
+check::Rules port_rules_named(const std::string& name, const cases::Variant& variant) {
   std::string known;
   for (const check::PortRule& rule : check::port_rules()) {
-    if (!rule.is_for(operation, format)) continue;
-    if (rule.name == name) return check::rules_of(rule, format);
+    if (!rule.is_for(variant)) continue;
+    if (rule.name == name) return check::rules_of(rule, variant.format);
     known += fmt::format("{}{}", known.empty() ? "" : ", ", rule.name);
   }
-  const std::string of = fmt::format("{} in {}", cases::name_of(operation), cases::name_of(format));
+  const std::string of =
+      fmt::format("{} in {}", cases::name_of(variant.operation), cases::name_of(variant.format));
   throw support::UsageError(
       known.empty()
           ? fmt::format("--rule {}: no program has a rule for {}; leave it out",

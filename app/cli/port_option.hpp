@@ -15,8 +15,7 @@ void add_port_option(CLI::App& command, std::string& name,
 
 /// Returns the rules of a program for an operation.
 /// @throws UsageError if it has none in this format, naming those that there are
-check::Rules port_rules_named(const std::string& name, cases::Operation operation,
-                              const cases::Format& format);
+check::Rules port_rules_named(const std::string& name, const cases::Variant& variant);
 
 /// Returns the rules as a verdict names them: `the rule doom (FixedDiv)`.
 std::string port_text(const check::PortRule& rule);

@@ -16,10 +16,11 @@
 namespace fixproof::cli {
 
 /// Returns the rule of `rules` with this name, or `any` for the name `any`.
+/// @param more a name that the caller takes, for the error
 /// @throws UsageError naming the option and the rules
 template <class Rule>
 Rule rule_named(std::string_view option, std::string_view name, std::span<const Rule> rules,
-                std::optional<Rule> any = std::nullopt) {
+                std::optional<Rule> any = std::nullopt, std::string_view more = "") {
   std::string all;
   for (const Rule rule : rules) {
     if (check::name_of(rule) == name) return rule;
@@ -27,6 +28,7 @@ Rule rule_named(std::string_view option, std::string_view name, std::span<const 
   }
   if (any && name == "any") return *any;
   if (any) all += "any, ";
+  if (!more.empty()) all += fmt::format("{}, ", more);
   all.resize(all.size() - 2);
   throw support::UsageError(
       fmt::format("{} {}: choose one of {}", option, support::quoted(name), all));

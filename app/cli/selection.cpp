@@ -97,11 +97,20 @@ std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
 
 }  // namespace
 
-cases::Operation answered_operation_named(std::string_view name) {
+cases::Operation evaluated_operation_named(std::string_view name) {
   const cases::Operation operation = cases::operation_named(name);
   if (cases::is_conversion(operation)) {
     throw support::UsageError(
         fmt::format("{} is a conversion, which only gen and check take", name));
+  }
+  return operation;
+}
+
+cases::Operation answered_operation_named(std::string_view name) {
+  const cases::Operation operation = evaluated_operation_named(name);
+  if (cases::is_sum(operation)) {
+    throw support::UsageError(
+        fmt::format("{} is a sum, which only gen, eval and check take", name));
   }
   return operation;
 }

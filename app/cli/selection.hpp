@@ -24,8 +24,10 @@ struct Selection {
   std::vector<std::string> against;  ///< the default parties of the level if empty
 };
 
-/// Returns the operation, which parties answer.
+/// Returns the operation, which `eval` computes.
 /// @throws std::invalid_argument for an unknown operation, UsageError for a conversion
+cases::Operation evaluated_operation_named(std::string_view name);
+/// The same for an operation that parties answer: no sum.
 cases::Operation answered_operation_named(std::string_view name);
 
 /// Returns the operation, which parties answer in every format.

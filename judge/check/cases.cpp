@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <system_error>
 
@@ -25,21 +24,14 @@ cases::Plan plan_of(const cases::Variant& variant, const CaseOptions& options) {
 
 }  // namespace
 
-cases::Variant variant_of(cases::Operation operation, const cases::Format& format,
-                          const cases::Format& from) {
-  return {.operation = operation,
-          .build = {.target = cases::Target::standard},
-          .format = format,
-          .from = from};
-}
-
 std::string CaseOptions::command_line(const cases::Variant& variant) const {
   std::string text = fmt::format("fixproof gen {}", cases::name_of(variant.operation));
-  const cases::Format& format = cases::operand_format(variant);
+  const cases::Format format = cases::operand_format(variant);
   if (format != cases::q16_16) text += fmt::format(" --format {}", cases::name_of(format));
-  if (variant.operation == cases::Operation::convert) {
+  if (variant.from || variant.operation == cases::Operation::convert) {
     text += fmt::format(" --to {}", cases::name_of(variant.format));
   }
+  if (variant.terms != cases::Variant{}.terms) text += fmt::format(" --terms {}", variant.terms);
   text += fmt::format(" --level {}", level);
   if (seed != CaseOptions{}.seed) text += fmt::format(" --seed {}", seed);
   if (shard != CaseOptions{}.shard) text += fmt::format(" --shard {}", shard);
@@ -108,8 +100,7 @@ bool GeneratedCases::next(std::span<std::uint32_t> words) {
 }
 
 std::optional<Converted> GeneratedCases::next_converted() {
-  std::array<std::uint32_t, 6> room{};  // three operands of 64 bits
-  const auto words = std::span(room).first(cases::words_in(variant_));
+  std::vector<std::uint32_t> words(cases::words_in(variant_));
   if (!next(words)) return std::nullopt;
   std::string line;
   cases::append_operands(line, variant_, words);

@@ -28,11 +28,6 @@ struct CaseOptions {
   [[nodiscard]] std::string command_line(const cases::Variant& variant) const;
 };
 
-/// Returns the operation in a format, under the rules of the type.
-/// @param from the format of the operands of convert
-cases::Variant variant_of(cases::Operation operation, const cases::Format& format = cases::q16_16,
-                          const cases::Format& from = cases::q16_16);
-
 class CaseSource : private boost::noncopyable {
  public:
   CaseSource() = default;

@@ -24,10 +24,10 @@ std::size_t length_of(std::uint64_t word, const cases::Format& format) {
 }  // namespace
 
 void CommonTraits::add(const TraitCase& one, bool right) {
-  const TraitSet traits = case_traits(operation_, one);
+  const TraitSet traits = case_traits(variant_, one);
   Lengths& lengths = right ? right_lengths_ : wrong_lengths_;
   for (std::size_t i = 0; i < one.words.size(); ++i) {
-    ++lengths.at(i).at(length_of(one.words.at(i), format_));
+    ++lengths.at(i).at(length_of(one.words.at(i), operand_format(variant_)));
   }
   if (right) {
     ++right_;
@@ -57,10 +57,10 @@ std::vector<CommonTraits::Shared> CommonTraits::shared_traits() const {
   };
   for (std::size_t i = 0; i < case_trait_count(); ++i) {
     if ((of_wrong_ >> i & 1U) == 0) continue;
-    offer(about(i), {right_with_.at(i), case_trait_text(operation_, format_, i)});
+    offer(about(i), {right_with_.at(i), case_trait_text(variant_, i)});
   }
   if (wrong_ >= fewest_for_lengths) {
-    for (std::size_t i = 0; i < words_of(operation_); ++i) {
+    for (std::size_t i = 0; i < words_of(variant_); ++i) {
       offer(static_cast<About>(i), shared_length(i));
     }
   }
@@ -86,13 +86,14 @@ CommonTraits::Shared CommonTraits::shared_length(std::size_t operand) const {
   while (wrong.at(least) == 0) ++least;
   while (wrong.at(most) == 0) --most;
   // The longest magnitude of a signed format is only that of its lowest word.
-  const auto top = static_cast<std::size_t>(format_.word_bits);
-  if (format_.is_signed && most + 1 >= top) most = top;
+  const cases::Format format = operand_format(variant_);
+  const auto top = static_cast<std::size_t>(format.word_bits);
+  if (format.is_signed && most + 1 >= top) most = top;
   Shared shared;
   for (std::size_t length = least; length <= most; ++length) shared.right += right.at(length);
-  const auto low = hex_text(least == 0 ? 0 : std::uint64_t{1} << (least - 1), format_);
-  const auto high = hex_text(most == 0 ? 0 : ~std::uint64_t{0} >> (64 - most), format_);
-  shared.text = fmt::format("has {} ", noun_of(operation_, static_cast<About>(operand)));
+  const auto low = hex_text(least == 0 ? 0 : std::uint64_t{1} << (least - 1), format);
+  const auto high = hex_text(most == 0 ? 0 : ~std::uint64_t{0} >> (64 - most), format);
+  shared.text = fmt::format("has {} ", noun_of(variant_.operation, static_cast<About>(operand)));
   if (most == top) {
     shared.text += fmt::format("of {} or more", low);
   } else if (least == 0) {
@@ -109,7 +110,8 @@ std::vector<std::string> CommonTraits::lines() const {
   if (wrong_ < 2) return lines;
   if (of_wrong_results_ != 0) {
     const auto first = static_cast<std::size_t>(std::countr_zero(of_wrong_results_));
-    lines.push_back(fmt::format("every wrong result {}: all {}", result_trait_text(format_, first),
+    lines.push_back(fmt::format("every wrong result {}: all {}",
+                                result_trait_text(variant_.format, first),
                                 support::grouped(wrong_)));
   }
   for (const Shared& shared : shared_traits()) {

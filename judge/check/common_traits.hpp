@@ -13,8 +13,7 @@ namespace fixproof::check {
 
 class CommonTraits {
  public:
-  CommonTraits(cases::Operation operation, const cases::Format& format)
-      : operation_(operation), format_(format) {}
+  explicit CommonTraits(const cases::Variant& variant) : variant_(variant) {}
 
   void add(const TraitCase& one, bool right);
 
@@ -35,8 +34,7 @@ class CommonTraits {
   [[nodiscard]] Shared shared_length(std::size_t operand) const;
   [[nodiscard]] bool tells(std::uint64_t sharing_right) const;
 
-  cases::Operation operation_;
-  cases::Format format_;
+  cases::Variant variant_;
   std::uint64_t right_ = 0;
   std::uint64_t wrong_ = 0;
   TraitSet of_wrong_ = ~TraitSet{};          ///< of every wrong case

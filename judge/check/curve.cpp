@@ -36,8 +36,8 @@ void Curve::add(const JudgedCase& one, double off, std::uint64_t exact) {
   ++count_;
   sum_ += off;
   if (operands_ != 1) return;
-  points_.push_back({ulps_of(one.converted->words[0], format_), ulps_of(exact, format_),
-                     ulps_of(*one.said, format_)});
+  points_.push_back({ulps_of(one.converted->words[0], operand_), ulps_of(exact, result_),
+                     ulps_of(*one.said, result_)});
 }
 
 std::optional<CurveFigures> Curve::figures() const {
@@ -80,7 +80,7 @@ FlawedPairs Curve::symmetry(const std::vector<Point>& sorted) const {
 }
 
 std::string Curve::name_of(std::int64_t operand) const {
-  return hex_text(static_cast<std::uint64_t>(operand) & cases::all_ones(format_), format_);
+  return hex_text(static_cast<std::uint64_t>(operand) & cases::all_ones(operand_), operand_);
 }
 
 }  // namespace fixproof::check

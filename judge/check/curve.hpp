@@ -32,7 +32,10 @@ std::string text_of(const CurveFigures& figures);
 
 class Curve {
  public:
-  Curve(const cases::Format& format, std::size_t operands) : format_(format), operands_(operands) {}
+  explicit Curve(const cases::Variant& variant)
+      : operand_(operand_format(variant)),
+        result_(variant.format),
+        operands_(operands_of(variant)) {}
 
   /// Adds a result in range. `off` is its error in ulps, `exact` the word of the rounded result.
   void add(const JudgedCase& one, double off, std::uint64_t exact);
@@ -51,7 +54,8 @@ class Curve {
   [[nodiscard]] FlawedPairs symmetry(const std::vector<Point>& sorted) const;
   [[nodiscard]] std::string name_of(std::int64_t operand) const;
 
-  cases::Format format_;
+  cases::Format operand_;
+  cases::Format result_;
   std::size_t operands_;
   std::uint64_t count_ = 0;
   double sum_ = 0;

@@ -95,18 +95,19 @@ std::string fraction_text(const Integer& part, const Integer& whole) {
 }
 
 /// Returns the exact result, which must exist, in integers of any size.
-Exact<Integer> wide_exact(Operation operation, const cases::Format& format,
-                          const Operands& operands) {
-  const auto floor = exact_ulps(operation, format, operands, oracle::Rounding::floor);
+Exact<Integer> wide_exact(const cases::Variant& variant, const Operands& operands) {
+  const auto floor = exact_ulps(variant, operands, oracle::Rounding::floor);
   if (const Converted* converted = operands.converted()) {
-    const auto& [numerator, denominator] = *converted->value;
-    return {*floor, (numerator << format.fraction_bits) - *floor * denominator, denominator};
+    const oracle::Ratio unit = unit_of(variant.format);
+    const Integer denominator = converted->value->denominator * unit.numerator;
+    return {*floor, converted->value->numerator * unit.denominator - *floor * denominator,
+            denominator};
   }
   const auto words = operands.words();
-  const auto wide = format.as<oracle::Format>();
+  const auto wide = variant.format.as<oracle::Format>();
   const Integer a = oracle::ulps(words[0], wide);
   const Integer b = oracle::ulps(words.back(), wide);
-  return exact_of<Integer>(operation, a, b, Integer(1) << format.fraction_bits, *floor);
+  return exact_of<Integer>(variant.operation, a, b, oracle::one(wide), *floor);
 }
 
 }  // namespace
@@ -119,29 +120,32 @@ CaseKind ExactPlace::kind(bool overflows) const {
   return std::fabs(fraction - 0.5) < 1.0 / 1024 ? CaseKind::near_tie : CaseKind::between;
 }
 
-ExactPlace exact_place(Operation operation, const cases::Format& format, const Operands& operands) {
+ExactPlace exact_place(const cases::Variant& variant, const Operands& operands) {
   constexpr auto down = oracle::Rounding::floor;
-  const bool narrow = format == cases::q16_16 && operands.converted() == nullptr;
+  const bool by_words = operands.converted() == nullptr;
+  const bool narrow = by_words && variant.format == cases::q16_16;
   const auto words = operands.words();
-  const auto ulps = narrow ? narrow_ulps(operation, words, down) : std::nullopt;
+  const auto ulps = narrow ? narrow_ulps(variant.operation, words, down) : std::nullopt;
   const auto floor =
-      ulps ? std::optional(narrow_word(*ulps)) : rounded_result(operation, format, operands, down);
-  if (!floor) return {.has_result = false, .negative = operands.sign(format) < 0, .floor = {}};
+      ulps ? std::optional(narrow_word(*ulps)) : rounded_result(variant, operands, down);
+  if (!floor) {
+    return {.has_result = false, .negative = operands.sign(variant.format) < 0, .floor = {}};
+  }
   ExactPlace place{.negative = floor->negative, .floor = *floor};
-  if (!is_rounded(operation)) return place;
+  if (by_words && !is_rounded(variant)) return place;
   if (!narrow) {
-    fill(place, wide_exact(operation, format, operands));
+    fill(place, wide_exact(variant, operands));
     return place;
   }
   const std::int64_t a = static_cast<std::int32_t>(words[0]);
   const std::int64_t b = static_cast<std::int32_t>(words.back());
-  fill(place, exact_of<std::int64_t>(operation, a, b, 65536, *ulps));
+  fill(place, exact_of<std::int64_t>(variant.operation, a, b, 65536, *ulps));
   return place;
 }
 
-std::string exact_text(Operation operation, const cases::Format& format, const Operands& operands) {
-  if (!rounded_result(operation, format, operands, oracle::Rounding::floor)) return "none";
-  const auto [floor, part, whole] = wide_exact(operation, format, operands);
+std::string exact_text(const cases::Variant& variant, const Operands& operands) {
+  if (!rounded_result(variant, operands, oracle::Rounding::floor)) return "none";
+  const auto [floor, part, whole] = wide_exact(variant, operands);
   if (part == 0) return floor.str();
   if (whole == 0) {
     return fmt::format("{} + {:.5f}", floor.str(), above_floor<Integer>({floor, part, whole}));

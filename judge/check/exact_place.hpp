@@ -36,12 +36,10 @@ struct ExactPlace {
 };
 
 /// Returns the place of the exact result of a judged operation.
-ExactPlace exact_place(cases::Operation operation, const cases::Format& format,
-                       const Operands& operands);
+ExactPlace exact_place(const cases::Variant& variant, const Operands& operands);
 
 /// Returns the exact result in ulps as text: `-1 + 1/2`, `46340 + 0.95001`, `none`.
-std::string exact_text(cases::Operation operation, const cases::Format& format,
-                       const Operands& operands);
+std::string exact_text(const cases::Variant& variant, const Operands& operands);
 
 /// Returns the name of a kind. The name for a missing result depends on the operation.
 std::string_view name_of(CaseKind kind, cases::Operation operation);

@@ -6,15 +6,15 @@
 
 namespace fixproof::check {
 
-std::optional<oracle::Integer> exact_ulps(cases::Operation operation, const cases::Format& format,
-                                          const Operands& operands, oracle::Rounding rule) {
+std::optional<oracle::Integer> exact_ulps(const cases::Variant& variant, const Operands& operands,
+                                          oracle::Rounding rule) {
   if (const Converted* converted = operands.converted()) {
     if (!converted->value) return std::nullopt;
-    return oracle::to_ulps(*converted->value, rule, format.fraction_bits);
+    return to_ulps(*converted->value, rule, variant.format);
   }
   const auto words = operands.words();
-  const auto wide = format.as<oracle::Format>();
-  switch (operation) {
+  const auto wide = variant.format.as<oracle::Format>();
+  switch (variant.operation) {
     case cases::Operation::mul:
       return oracle::exact_product(words[0], words[1], rule, wide);
     case cases::Operation::div:

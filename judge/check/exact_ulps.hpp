@@ -21,11 +21,11 @@ namespace fixproof::check {
       "judged");
 }
 
-/// The rounded result in ulps in any format; empty for x / 0, negative radicands, NaN and the
-/// infinities.
+/// The rounded result in ulps of the results' format; empty for x / 0, negative radicands, NaN and
+/// the infinities.
 /// @throws std::invalid_argument for an operation that is not judged
-std::optional<oracle::Integer> exact_ulps(cases::Operation operation, const cases::Format& format,
-                                          const Operands& operands, oracle::Rounding rule);
+std::optional<oracle::Integer> exact_ulps(const cases::Variant& variant, const Operands& operands,
+                                          oracle::Rounding rule);
 
 /// The same in 16.16, about ten times as fast: a result has less than 49 bits.
 inline std::optional<std::int64_t> narrow_ulps(cases::Operation operation,

@@ -30,6 +30,7 @@ std::string phrase(Overflow rule, const cases::Format& format) {
     case Overflow::error:
       return "says DE";
     case Overflow::any:
+    case Overflow::word:
       break;
   }
   return "gives anything";
@@ -58,6 +59,7 @@ std::string phrase(NoResult rule, const cases::Format& format, std::string_view 
     case NoResult::mirror:
       return "gives minus the root of the magnitude";
     case NoResult::any:
+    case NoResult::word:
       break;
   }
   return "gives anything";
@@ -134,21 +136,41 @@ std::string line_of(std::string_view subject, const BestRules& best,
   return text;
 }
 
+/// Returns the line of a subject that keeps to the two words around the exact result, where no
+/// rounding does; empty for any other subject.
+std::string faithful_line(const RuleTrial& trial) {
+  // So many results of a rounding with few exceptions would be near it by chance.
+  const std::uint64_t broken = trial.rounding().first.exceptions.count();
+  const std::uint64_t inexact = trial.inexact();
+  if (trial.faithful().exceptions.count() != 0 || inexact == 0 || 100 * broken <= inexact)
+    return "";
+  return fmt::format(
+      "  {:<16} either neighbour, no rule, on all {} cases in range; the upper one in {:.1f} % of "
+      "{} inexact ones\n",
+      "rounding", support::grouped(trial.faithful().cases),
+      100 * static_cast<double>(trial.upper()) / static_cast<double>(inexact),
+      support::grouped(inexact));
+}
+
 /// Returns the line of the rounding, or of exact results in range.
-std::string rounding_line(const BestRules& best, const Rules& followed) {
-  if (!is_rounded(followed.operation)) {
-    const bool text = followed.operation == cases::Operation::to_decimal;
+std::string rounding_line(const RuleTrial& trial, const BestRules& best, const Rules& followed) {
+  const cases::Operation operation = followed.variant.operation;
+  if (!is_rounded(followed.variant)) {
+    const bool text = operation == cases::Operation::to_decimal;
     if (text) return line_of("text", best, {"reads as the operand"}, "cases", followed);
-    const bool remains = is_remainder(followed.operation);
     return line_of("in range", best, {"exact"},
-                   remains ? "cases with a result" : "cases that do not overflow", followed);
+                   is_remainder(operation) ? "cases with a result" : "cases that do not overflow",
+                   followed);
   }
+  if (std::string line = faithful_line(trial); !line.empty()) return line;
   std::vector<std::string> names;
   for (const std::size_t i : best.rules) names.emplace_back(name_of(roundings()[i]));
-  if (followed.operation == cases::Operation::sqrt && best.first.cases > 0) {
-    // A root is never halfway, so the five roundings act as two: to nearest and down.
-    const bool down = roundings()[best.rules.front()] == oracle::Rounding::floor;
-    names = {down ? "down" : "to nearest"};
+  if (operation == cases::Operation::sqrt && !followed.variant.from && best.first.cases > 0) {
+    // A root is never halfway, so the roundings act as three: to nearest, down and up.
+    const oracle::Rounding rule = roundings()[best.rules.front()];
+    names = {rule == oracle::Rounding::floor     ? "down"
+             : rule == oracle::Rounding::ceiling ? "up"
+                                                 : "to nearest"};
   }
   return line_of("rounding", best, names, "cases in range", followed);
 }
@@ -182,21 +204,21 @@ std::string ports_line(const Judge& judge) {
 
 std::string guess_text(const Judge& judge) {
   const RuleTrial& trial = judge.trial();
-  const cases::Operation operation = judge.rules().operation;
-  const cases::Format format = judge.rules().format;
-  Rules followed = judge.rules();  // all formats of its operands; the rules below are found
-  followed.port = nullptr;
+  const cases::Variant& variant = judge.rules().variant;
+  const cases::Operation operation = variant.operation;
+  const cases::Format format = variant.format;
+  Rules followed{.variant = variant};  // the rules below are found
   std::string text = "What the subject does, all rules tried:\n" + ports_line(judge);
 
   const BestRules rounding = trial.rounding();
   // Roundings that agree on roots in range can differ on the mirrored root of a negative operand.
   // Choose the one with the fewest exceptions there.
-  const bool lacks = can_lack_result(operation, format);
+  const bool lacks = can_lack_result(variant);
   const std::size_t rule = *std::ranges::min_element(rounding.rules, {}, [&](std::size_t r) {
     return lacks ? trial.no_result(r).first.exceptions.count() : 0;
   });
   followed.rounding = roundings()[rule];
-  text += rounding_line(rounding, followed);
+  text += rounding_line(trial, rounding, followed);
   text += idiom_line(judge.idioms().likeness(), format);
 
   const BestRules overflow = trial.overflow(rule);
@@ -204,11 +226,11 @@ std::string guess_text(const Judge& judge) {
   const auto overflows = overflow_rules(format);
   for (const std::size_t i : overflow.rules) names.push_back(phrase(overflows[i], format));
   followed.overflow = overflows[overflow.rules.front()];
-  if (can_overflow(operation, format)) {
+  if (can_overflow(variant)) {
     text += line_of("overflow", overflow, names, "cases that overflow", followed);
   }
 
-  if (const auto rules = no_result_rules(operation, format); !rules.empty()) {
+  if (const auto rules = no_result_rules(variant); !rules.empty()) {
     const BestRules none = trial.no_result(rule);
     names.clear();
     const NoResultNames called = no_result_names(operation);

@@ -120,6 +120,43 @@ constexpr auto cut_single = [](const Integer& a, const Integer& b, const Format&
   return std::optional<Integer>((kept << dropped) / b);
 };
 
+// Arithmetic on a product and a divisor.
+
+/// Returns k if the divisor is 2^k - 1, for which people shift.
+std::optional<int> near_power_of_two(const Integer& divisor) {
+  if (divisor <= 1 || ((divisor + 1) & divisor) != 0) return std::nullopt;
+  return static_cast<int>(msb(divisor)) + 1;
+}
+using WideUlps = std::optional<Integer>;
+constexpr auto shifted_instead = [](const Integer& product, const Integer& divisor, const Format&) {
+  const auto k = near_power_of_two(divisor);
+  return k ? WideUlps(product >> *k) : WideUlps();
+};
+constexpr auto half_and_shifted_instead = [](const Integer& product, const Integer& divisor,
+                                             const Format&) {
+  const auto k = near_power_of_two(divisor);
+  return k ? WideUlps((product + (Integer(1) << (*k - 1))) >> *k) : WideUlps();
+};
+constexpr auto shifted_after_one = [](const Integer& product, const Integer& divisor,
+                                      const Format&) {
+  const auto k = near_power_of_two(divisor);
+  return k ? WideUlps((product + (product >> *k) + 1) >> *k) : WideUlps();
+};
+constexpr auto shifted_twice = [](const Integer& product, const Integer& divisor, const Format&) {
+  const auto k = near_power_of_two(divisor);
+  if (!k) return WideUlps();
+  const Integer sum = product + (Integer(1) << (*k - 1));
+  return WideUlps((sum + (sum >> *k)) >> *k);
+};
+constexpr auto half_of_divisor_added = [](const Integer& product, const Integer& divisor,
+                                          const Format&) {
+  return divisor == 0 ? WideUlps() : WideUlps((product + divisor / 2) / divisor);
+};
+constexpr auto low_product_divided = [](const Integer& product, const Integer& divisor,
+                                        const Format& f) {
+  return divisor == 0 ? WideUlps() : WideUlps(low_word(product, f) / divisor);
+};
+
 using Ulps = std::optional<std::int64_t>;
 
 constexpr std::array<Idiom, idiom_count> all_idioms{{
@@ -178,14 +215,30 @@ constexpr std::array<Idiom, idiom_count> all_idioms{{
     {Operation::from_decimal, "(int)(x * {one} + 0.5), which cuts negative results toward zero",
      nullptr, value_and_half},
     {Operation::from_binary64, "(int)((float)x * {one}), which has 24 bits", nullptr, cut_single},
+    {Operation::mul_div, "a * b >> k, which divides by 2^k where c is 2^k - 1", nullptr,
+     shifted_instead},
+    {Operation::mul_div, "(a * b + 2^(k-1)) >> k, which divides by 2^k where c is 2^k - 1", nullptr,
+     half_and_shifted_instead},
+    {Operation::mul_div, "(p + (p >> k) + 1) >> k for p = a * b and c = 2^k - 1", nullptr,
+     shifted_after_one},
+    {Operation::mul_div, "(t + (t >> k)) >> k for t = a * b + 2^(k-1) and c = 2^k - 1", nullptr,
+     shifted_twice},
+    {Operation::mul_div, "(a * b + c / 2) / c, which is off where the quotient is negative",
+     nullptr, half_of_divisor_added},
+    {Operation::mul_div, "a * b / c in {bits} bits, which drops the high half of the product",
+     nullptr, low_product_divided},
 }};
 
 }  // namespace
 
-bool Idiom::is_for(cases::Operation of, const Format& format) const {
-  if (operation != of) return false;
+bool Idiom::is_for(const cases::Variant& of) const {
+  if (operation != of.operation || of.format.is_decimal) return false;
+  if (operation == Operation::mul_div) return !of.from;
+  if (of.from && !cases::is_conversion(operation)) return false;
   // Without two fraction bits the idioms agree with each other or shift by a negative number.
-  return format == cases::q16_16 || (wide != nullptr && format.fraction_bits >= 2);
+  const int fraction_bits = of.format.fraction_bits;
+  return of.format == cases::q16_16 ||
+         (wide != nullptr && fraction_bits >= 2 && fraction_bits <= of.format.word_bits);
 }
 
 std::string Idiom::text_in(const Format& format) const {
@@ -209,31 +262,37 @@ const std::array<Idiom, idiom_count>& idioms() { return all_idioms; }
 void IdiomTrial::add(const JudgedCase& one, bool right) {
   ++cases_;
   if (!right) ++wrong_;
+  const Format& format = variant_.format;
   const auto compare = [&](std::size_t i, const auto& result, const auto& word) {
     if (one.said != (result ? Said(word(*result)) : Said())) ++exceptions_.at(i);
   };
-  const auto wide = format_.as<oracle::Format>();
+  const auto wide = format.as<oracle::Format>();
   const auto compare_wide = [&](const Integer& a, const Integer& b) {
     const auto word = [&wide](const Integer& ulps) { return oracle::wrap(ulps, wide); };
     for (std::size_t i = 0; i < all_idioms.size(); ++i) {
-      if (!all_idioms.at(i).is_for(operation_, format_)) continue;
-      const auto result = all_idioms.at(i).wide(a, b, format_);
+      if (!all_idioms.at(i).is_for(variant_)) continue;
+      const auto result = all_idioms.at(i).wide(a, b, format);
       // Single precision rounds to the end of the range what lies before it.
       if (!result || oracle::fits(*result, wide)) compare(i, result, word);
     }
   };
+  if (variant_.operation == Operation::mul_div) {
+    const auto ulps = [&](std::size_t i) { return oracle::ulps(one.converted->words.at(i), wide); };
+    return compare_wide(ulps(0) * ulps(1), ulps(2));
+  }
   if (one.converted) {
     const auto& [numerator, denominator] = *one.converted->value;
-    return compare_wide(numerator << format_.fraction_bits, denominator);
+    const oracle::Ratio unit = unit_of(format);
+    return compare_wide(numerator * unit.denominator, denominator * unit.numerator);
   }
   const auto words = one.values().words();
-  if (format_ == cases::q16_16) {
+  if (format == cases::q16_16) {
     const std::int64_t a = static_cast<std::int32_t>(words[0]);
     const std::int64_t b = static_cast<std::int32_t>(words[1]);
     const auto word = [](std::int64_t ulps) { return static_cast<std::uint32_t>(ulps); };
     for (std::size_t i = 0; i < all_idioms.size(); ++i) {
-      if (all_idioms.at(i).operation != operation_) continue;
-      compare(i, all_idioms.at(i).narrow(a, b, format_), word);
+      if (all_idioms.at(i).operation != variant_.operation) continue;
+      compare(i, all_idioms.at(i).narrow(a, b, format), word);
     }
     return;
   }
@@ -244,9 +303,7 @@ std::optional<Likeness> IdiomTrial::likeness() const {
   if (wrong_ == 0) return std::nullopt;
   Likeness best{.idioms = {}, .exceptions = cases_, .cases = cases_};
   for (std::size_t i = 0; i < all_idioms.size(); ++i) {
-    if (!all_idioms.at(i).is_for(operation_, format_) || exceptions_.at(i) > best.exceptions) {
-      continue;
-    }
+    if (!all_idioms.at(i).is_for(variant_) || exceptions_.at(i) > best.exceptions) continue;
     if (exceptions_.at(i) < best.exceptions) best.idioms.clear();
     best.exceptions = exceptions_.at(i);
     best.idioms.push_back(&all_idioms.at(i));

@@ -17,7 +17,7 @@
 namespace fixproof::check {
 
 /// Arithmetic in C on words a and b, or on the operand x of a conversion. The exact value of x is
-/// a / b ulps of the result.
+/// a / b ulps of the result. Of mul_div it is arithmetic on the product a and the divisor b.
 struct Idiom {
   /// Returns the result in ulps; empty for a divide error. Requires operands whose exact
   /// result fits a word.
@@ -32,10 +32,10 @@ struct Idiom {
   Result<oracle::Integer> wide;  ///< for other formats; null if the idiom is only for 16.16
 
   [[nodiscard]] std::string text_in(const cases::Format& format) const;
-  [[nodiscard]] bool is_for(cases::Operation of, const cases::Format& format) const;
+  [[nodiscard]] bool is_for(const cases::Variant& of) const;
 };
 
-inline constexpr std::size_t idiom_count = 24;
+inline constexpr std::size_t idiom_count = 30;
 const std::array<Idiom, idiom_count>& idioms();
 
 /// The idioms with the fewest exceptions. Several tie if no case tells them apart.
@@ -48,8 +48,7 @@ struct Likeness {
 /// Compares a subject with every idiom.
 class IdiomTrial {
  public:
-  IdiomTrial(cases::Operation operation, const cases::Format& format)
-      : operation_(operation), format_(format) {}
+  explicit IdiomTrial(const cases::Variant& variant) : variant_(variant) {}
 
   /// Adds a case whose rounded result fits a word. `right` tells whether the subject's is right.
   void add(const JudgedCase& one, bool right);
@@ -59,8 +58,7 @@ class IdiomTrial {
   [[nodiscard]] std::optional<Likeness> likeness() const;
 
  private:
-  cases::Operation operation_;
-  cases::Format format_;
+  cases::Variant variant_;
   std::uint64_t cases_ = 0;
   std::uint64_t wrong_ = 0;
   std::array<std::uint64_t, idiom_count> exceptions_{};

@@ -1,5 +1,7 @@
 #include "judge/check/judge.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace fixproof::check {
@@ -19,14 +21,13 @@ double difference(std::uint64_t a, std::uint64_t b, const cases::Format& format)
 
 Judge::Judge(const Rules& rules, std::size_t max_shown)
     : rules_(rules),
-      wrong_(max_shown),
-      trial_(rules.operation, rules.format),
-      ports_(rules.operation, rules.format),
-      idioms_(rules.operation, rules.format),
-      common_(rules.operation, rules.format) {
-  if (cases::is_function(rules.operation)) {
-    curve_.emplace(rules.format, cases::words_in(rules.operation));
-  }
+      max_shown_(max_shown),
+      trial_(rules.variant),
+      ports_(rules.variant),
+      idioms_(rules.variant),
+      common_(rules.variant) {
+  first_wrong_.fill(FirstCases(max_shown));
+  if (cases::is_function(rules.variant.operation)) curve_.emplace(rules.variant);
 }
 
 void Judge::add(const JudgedCase& one) {
@@ -37,10 +38,10 @@ void Judge::add(const JudgedCase& one) {
 }
 
 void Judge::add_read(const JudgedCase& one) {
+  const cases::Format& format = rules_.variant.format;
   const Operands operands = one.operands();
-  const auto rounded =
-      rounded_result(rules_.operation, rules_.format, one.values(), rules_.rounding);
-  const ExactPlace place = exact_place(rules_.operation, rules_.format, one.values());
+  const auto rounded = rounded_result(rules_.variant, one.values(), rules_.rounding);
+  const ExactPlace place = exact_place(rules_.variant, one.values());
   const bool in_range = rounded && rounded->fits;
   const bool right = keeps(rules_, operands, rounded, one.said);
 
@@ -48,7 +49,8 @@ void Judge::add_read(const JudgedCase& one) {
   const Expected expected = expected_of(rules_, operands, rounded);
   const CaseKind kind = place.kind(rounded && !in_range);
   if (expected.judged) {
-    common_.add({one.read.value_or(one.words), place, kind, expected.said, one.said, rules_.format},
+    common_.add({one.read.value_or(one.words), place, kind, expected.said, one.said, format,
+                 operand_format(rules_.variant)},
                 right);
   } else {
     ++not_judged_;
@@ -57,14 +59,17 @@ void Judge::add_read(const JudgedCase& one) {
   ++tally.cases;
   if (!right) {
     ++tally.wrong;
-    wrong_.add(one);
+    ++wrong_;
+    first_wrong_.at(static_cast<std::size_t>(kind)).add(one);
   }
-  if (in_range && one.said) {
+  if (in_range && one.said && is_word(*one.said, format)) {
+    said_bits_ |= *one.said;
+    rounded_bits_ |= rounded->word;
     // The floor itself may lie below the range, so the distance is measured from the rounded
     // result.
     const double up = rounded->word == place.floor.word ? 0 : 1;
     const double off =
-        std::fabs(difference(*one.said, rounded->word, rules_.format) + up - place.fraction);
+        std::fabs(difference(*one.said, rounded->word, format) + up - place.fraction);
     if (!largest_error_ || off > largest_error_->ulps) largest_error_ = {off, one};
     if (curve_) curve_->add(one, off, rounded->word);
   }
@@ -77,6 +82,35 @@ KindTally Judge::tally(CaseKind kind, bool negative_alone) const {
   const auto& [other, negative] = tallies_.at(static_cast<std::size_t>(kind));
   if (negative_alone) return negative;
   return {other.cases + negative.cases, other.wrong + negative.wrong};
+}
+
+std::vector<JudgedCase> Judge::shown() const {
+  std::vector<JudgedCase> cases;
+  for (std::size_t i = 0; i < max_shown_ && cases.size() < max_shown_; ++i) {
+    for (const FirstCases& first : first_wrong_) {
+      if (i < first.shown().size() && cases.size() < max_shown_) cases.push_back(first.shown()[i]);
+    }
+  }
+  std::ranges::sort(cases, {}, &JudgedCase::number);
+  return cases;
+}
+
+bool Judge::is_right() const {
+  if (wrong_ != 0) return false;
+  const auto figures = rules_.within && curve_ ? curve_->figures() : std::nullopt;
+  return !figures || (figures->order.wrong == 0 && figures->symmetry.wrong == 0);
+}
+
+int Judge::idle_bits() const {
+  // So few results are multiples by chance.
+  constexpr std::uint64_t fewest = 20;
+  const KindTally overflows = tally(CaseKind::overflow, false);
+  const KindTally missing = tally(CaseKind::no_result, false);
+  if (cases_ - overflows.cases - missing.cases < fewest || said_bits_ == 0 ||
+      rounded_bits_ % 2 == 0) {
+    return 0;
+  }
+  return std::countr_zero(said_bits_);
 }
 
 }  // namespace fixproof::check

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "judge/check/common_traits.hpp"
 #include "judge/check/curve.hpp"
@@ -38,7 +39,13 @@ class Judge {
   [[nodiscard]] std::uint64_t cases() const { return cases_; }
   /// The number of cases for which the rules accept any result.
   [[nodiscard]] std::uint64_t not_judged() const { return not_judged_; }
-  [[nodiscard]] const FirstCases& wrong() const { return wrong_; }
+  /// The number of wrong results.
+  [[nodiscard]] std::uint64_t wrong() const { return wrong_; }
+  /// Returns the first wrong cases, of each kind in turn, in the order of their numbers.
+  [[nodiscard]] std::vector<JudgedCase> shown() const;
+  /// Tells whether every promise is kept: no result is wrong and, where the error is bounded, no
+  /// pair of results is in the wrong order or breaks the symmetry.
+  [[nodiscard]] bool is_right() const;
   /// Returns the counts of a kind, of results below 0 only if `negative_alone`.
   [[nodiscard]] KindTally tally(CaseKind kind, bool negative_alone) const;
   /// Empty if the subject gave no result in range.
@@ -47,6 +54,9 @@ class Judge {
   [[nodiscard]] const PortTrial& ports() const { return ports_; }
   [[nodiscard]] const IdiomTrial& idioms() const { return idioms_; }
   [[nodiscard]] const CommonTraits& common() const { return common_; }
+  /// Returns k if every result in range is a multiple of 2^k units, though rounded results are not
+  /// of 2^1; 0 if none is known.
+  [[nodiscard]] int idle_bits() const;
   /// Empty unless the operation is a function.
   [[nodiscard]] const std::optional<Curve>& curve() const { return curve_; }
 
@@ -57,7 +67,12 @@ class Judge {
   Rules rules_;
   std::uint64_t cases_ = 0;
   std::uint64_t not_judged_ = 0;
-  FirstCases wrong_;
+  std::uint64_t wrong_ = 0;
+  std::size_t max_shown_;
+  std::array<FirstCases, case_kinds> first_wrong_;
+  /// Every result in range, and every rounded one, as sets of bits.
+  std::uint64_t said_bits_ = 0;
+  std::uint64_t rounded_bits_ = 0;
   /// By kind, then by sign.
   std::array<std::array<KindTally, 2>, case_kinds> tallies_{};
   std::optional<LargestError> largest_error_;

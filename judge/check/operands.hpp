@@ -1,6 +1,6 @@
 /// @file
-/// The operands of a judged case: words of the results' format, or what a conversion or function
-/// takes.
+/// The operands of a judged case: words of the results' format, or operands with the exact value of
+/// the result.
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "judge/check/word.hpp"
 #include "oracle/decimal.hpp"
@@ -18,23 +19,28 @@
 namespace fixproof::check {
 
 /// Tells whether cases are judged by their exact value, not by their words: those of conversions,
-/// of functions of real numbers and of mul_div.
-constexpr bool is_judged_by_value(cases::Operation operation) {
-  return cases::is_conversion(operation) || cases::is_function(operation) ||
-         operation == cases::Operation::mul_div;
+/// of functions of real numbers, of mul_div and of sums, and all in a format that the type lacks or
+/// whose results have another one.
+constexpr bool is_judged_by_value(const cases::Variant& v) {
+  return cases::is_conversion(v.operation) || cases::is_function(v.operation) ||
+         cases::is_sum(v.operation) || v.operation == cases::Operation::mul_div ||
+         v.from.has_value() || v.format.is_decimal || v.format.fraction_bits < 0 ||
+         v.format.fraction_bits > v.format.word_bits;
 }
 
-/// The operand of a conversion, or the operands and the exact result of a function.
+/// The operands of a case and the exact value of its result.
 struct Converted {
-  std::string text;                      ///< the operands as they stand on their line
-  std::optional<oracle::Ratio> value;    ///< empty for NaN and infinities, outside a domain, and
-                                         ///< for a zero divisor
-  int sign = 0;                          ///< without a value: -1 or 1 for an infinity or what is
-                                         ///< divided by zero, 0 for NaN
-  std::array<std::uint64_t, 3> words{};  ///< the operands of a function
+  std::string text;                         ///< the operands as they stand on their line
+  std::optional<oracle::Ratio> value;       ///< empty for NaN and infinities, outside a domain, and
+                                            ///< for a zero divisor
+  int sign = 0;                             ///< without a value: -1 or 1 for an infinity or what is
+                                            ///< divided by zero, 0 for NaN
+  std::vector<std::uint64_t> words{};       ///< the operands that are words
+  std::optional<oracle::Ratio> mirrored{};  ///< of a negative radicand: minus the root of its
+                                            ///< magnitude
 };
 
-/// Parses the operands of a conversion or function, remainders included.
+/// Parses the operands of a case of any operation that is_judged().
 /// @throws UsageError describing the defect of the line
 Converted parse_converted(std::string_view line, const cases::Variant& variant);
 
@@ -51,7 +57,7 @@ class Operands {
       : words_(words) {}
   Operands(const Converted& converted) : converted_(&converted) {}
 
-  /// Of any other operation.
+  /// Of any other case.
   [[nodiscard]] std::span<const std::uint64_t> words() const { return words_; }
   /// Null unless is_judged_by_value().
   [[nodiscard]] const Converted* converted() const { return converted_; }

@@ -2,9 +2,9 @@
 
 namespace fixproof::check {
 
-PortTrial::PortTrial(cases::Operation operation, const cases::Format& format) : format_(format) {
+PortTrial::PortTrial(const cases::Variant& variant) : format_(variant.format) {
   for (const PortRule& rule : port_rules()) {
-    if (rule.is_for(operation, format)) followed_.push_back(&rule);
+    if (rule.is_for(variant)) followed_.push_back(&rule);
   }
 }
 

@@ -12,7 +12,7 @@ namespace fixproof::check {
 /// Compares the results of a subject with every named rule of an operation in a format.
 class PortTrial {
  public:
-  PortTrial(cases::Operation operation, const cases::Format& format);
+  explicit PortTrial(const cases::Variant& variant);
 
   /// Adds a case of the operation, with its words as the subject reads them.
   void add(const JudgedCase& one);

@@ -215,8 +215,9 @@ constexpr std::array all_rules{
 
 }  // namespace
 
-bool PortRule::is_for(Operation of, const cases::Format& format) const {
-  if (of != operation) return false;
+bool PortRule::is_for(const cases::Variant& of) const {
+  const cases::Format& format = of.format;
+  if (of.operation != operation || of.from || !cases::is_of_type(format)) return false;
   if (!has_shift) return format == cases::q16_16;
   return format.word_bits == 32 && format.is_signed && format.fraction_bits > 0;
 }
@@ -224,11 +225,10 @@ bool PortRule::is_for(Operation of, const cases::Format& format) const {
 std::span<const PortRule> port_rules() { return all_rules; }
 
 Rules rules_of(const PortRule& rule, const cases::Format& format) {
-  return {.operation = rule.operation,
+  return {.variant = cases::variant_of(rule.operation, format),
           .rounding = rule.rounding,
           .overflow = rule.overflow,
           .no_result = rule.no_result,
-          .format = format,
           .port = &rule};
 }
 

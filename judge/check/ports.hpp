@@ -39,7 +39,7 @@ struct PortRule {
   bool has_signed_fraction = false;
 
   /// Tells whether the rule is for an operation in a format.
-  [[nodiscard]] bool is_for(cases::Operation of, const cases::Format& format) const;
+  [[nodiscard]] bool is_for(const cases::Variant& of) const;
 };
 
 /// Returns all rules, those of a program together.

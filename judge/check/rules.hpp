@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "judge/check/operands.hpp"
@@ -24,6 +25,7 @@ enum class Overflow : std::uint8_t {
   maximum,    ///< highest() whatever the sign
   minimum,    ///< lowest() whatever the sign
   error,      ///< DE
+  word,       ///< Rules::overflow_word
 };
 
 /// The result for a zero divisor, for the root of a negative number, for NaN and the infinities,
@@ -38,25 +40,34 @@ enum class NoResult : std::uint8_t {
   minimum,    ///< lowest() whatever the sign
   zero,       ///< 0
   mirror,     ///< roots only: minus the root of the magnitude, in the subject's rounding
+  word,       ///< Rules::no_result_word
 };
 
 struct PortRule;
 
+/// The largest error that a subject promises for results in range.
+struct Within {
+  oracle::Ratio bound{};  ///< in ulps, or as a share of the exact result
+  bool is_relative = false;
+};
+
 struct Rules {
-  cases::Operation operation = cases::Operation::mul;  ///< one that is_judged()
+  cases::Variant variant{};  ///< an operation that is_judged(), and its formats
   oracle::Rounding rounding = oracle::Rounding::half_up;
   Overflow overflow = Overflow::wrap;
   NoResult no_result = NoResult::error;
-  cases::Format format{};
-  cases::Format from = cases::q16_16;  ///< of the operands of convert
-  const PortRule* port = nullptr;      ///< replaces the rules above, but for sorting cases
+  bool faithful = false;             ///< either neighbour of an inexact result is right
+  std::optional<Within> within{};    ///< replaces the rounding
+  std::uint64_t overflow_word = 0;   ///< for Overflow::word
+  std::uint64_t no_result_word = 0;  ///< for NoResult::word
+  const PortRule* port = nullptr;    ///< replaces the rules above, but for sorting cases
 };
 
 constexpr bool is_judged(cases::Operation operation) {
   using enum cases::Operation;
   return operation == mul || operation == div || operation == sqrt || operation == add ||
          operation == sub || cases::is_conversion(operation) || cases::is_function(operation) ||
-         cases::is_quotient_function(operation);
+         cases::is_quotient_function(operation) || cases::is_sum(operation);
 }
 
 /// Tells whether the operation is a remainder.
@@ -64,27 +75,27 @@ constexpr bool is_remainder(cases::Operation operation) {
   return operation == cases::Operation::fmod || operation == cases::Operation::remainder;
 }
 
-/// Tells whether results are rounded. Sums, differences and remainders of words are exact, and the
-/// text of a word need only read as that word.
-constexpr bool is_rounded(cases::Operation operation) {
-  using enum cases::Operation;
-  return operation != add && operation != sub && operation != to_decimal &&
-         !is_remainder(operation);
-}
+/// Tells whether an exact result can lie between two words. Sums, differences and remainders of
+/// words are exact unless results have a coarser unit; products are in units of 1. The text of a
+/// word need only read as that word.
+bool is_rounded(const cases::Variant& variant);
 
 /// Tells whether a result can lie outside the range of words. A root does if a signed word has no
 /// bit before the point: sqrt(0.49) in q0_8.
-constexpr bool can_overflow(cases::Operation operation, const cases::Format& format) {
-  if (operation == cases::Operation::to_decimal || is_remainder(operation)) return false;
-  return operation != cases::Operation::sqrt ||
-         (format.is_signed && format.fraction_bits == format.word_bits);
+constexpr bool can_overflow(const cases::Variant& v) {
+  if (v.operation == cases::Operation::to_decimal) return false;
+  if (v.from || v.format.is_decimal) return true;
+  if (is_remainder(v.operation)) return false;
+  return v.operation != cases::Operation::sqrt ||
+         (v.format.is_signed && v.format.fraction_bits >= v.format.word_bits);
 }
 
 /// Tells whether some operands have no result: a zero divisor, a negative radicand, a double that
 /// is not finite, or an operand outside the domain of a function.
-constexpr bool can_lack_result(cases::Operation operation, const cases::Format& format) {
-  return cases::divides(operation) || operation == cases::Operation::from_binary64 ||
-         (operation == cases::Operation::sqrt && format.is_signed) || cases::is_function(operation);
+constexpr bool can_lack_result(const cases::Variant& v) {
+  return cases::divides(v.operation) || v.operation == cases::Operation::from_binary64 ||
+         (v.operation == cases::Operation::sqrt && operand_format(v).is_signed) ||
+         cases::is_function(v.operation);
 }
 
 /// The names on the command line.
@@ -92,16 +103,24 @@ std::string_view name_of(oracle::Rounding rule);
 std::string_view name_of(Overflow rule);
 std::string_view name_of(NoResult rule);
 
+/// The text of --rounding for Rules::faithful.
+inline constexpr std::string_view faithful = "faithful";
+/// What results in range should be: a rounding, `faithful`, `exact`, or a bound on the error.
+std::string text_of_rounding(const Rules& rules);
+/// The rule's name, or the word that it names.
+std::string text_of_overflow(const Rules& rules);
+std::string text_of_no_result(const Rules& rules);
+
 /// Every rounding, for options and for guesses.
 std::span<const oracle::Rounding> roundings();
-/// Every overflow rule except `any`, for options.
+/// Every overflow rule with a name except `any`, for options.
 std::span<const Overflow> overflow_rules();
-/// Every rule except `any` that applies to the operation, for options; empty if it has a result for
-/// all operands.
+/// Every rule with a name except `any` that applies to the operation, for options; empty if it has
+/// a result for all operands.
 std::span<const NoResult> no_result_rules(cases::Operation operation);
 /// Those that differ in the format, for guesses. An unsigned word has no sign to decide by.
 std::span<const Overflow> overflow_rules(const cases::Format& format);
-std::span<const NoResult> no_result_rules(cases::Operation operation, const cases::Format& format);
+std::span<const NoResult> no_result_rules(const cases::Variant& variant);
 
 /// A rounded result before overflow handling.
 struct Rounded {
@@ -110,8 +129,8 @@ struct Rounded {
   bool negative = false;
 };
 /// The rounded result; empty for operands without one.
-std::optional<Rounded> rounded_result(cases::Operation operation, const cases::Format& format,
-                                      const Operands& operands, oracle::Rounding rule);
+std::optional<Rounded> rounded_result(const cases::Variant& variant, const Operands& operands,
+                                      oracle::Rounding rule);
 
 /// Tells whether `said` is the rule's result for an overflow.
 bool keeps(Overflow rule, const cases::Format& format, const Rounded& rounded, Said said);
@@ -120,7 +139,12 @@ bool keeps(Overflow rule, const cases::Format& format, const Rounded& rounded, S
 bool keeps(NoResult rule, const cases::Format& format, const Operands& operands,
            oracle::Rounding rounding, Said said);
 
-/// The expected result of a case. `judged` is false if the rules accept every result.
+/// Tells whether a word is no farther from the exact result, which must exist, than the bound.
+bool is_within(const Within& within, const cases::Variant& variant, const Operands& operands,
+               std::uint64_t said);
+
+/// The expected result of a case, the nearest of several. `judged` is false if the rules accept
+/// every result.
 struct Expected {
   bool judged = true;
   Said said;

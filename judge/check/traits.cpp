@@ -66,11 +66,11 @@ constexpr auto pair_traits = std::to_array<WholeTrait>({
      [](const TraitCase& c) { return c.words[0] == c.words[1]; }},
     {About::both, "has operands that differ only in sign",
      [](const TraitCase& c) {
-       return c.words[0] != 0 && c.words[0] == minus(c.words[1], c.format);
+       return c.words[0] != 0 && c.words[0] == minus(c.words[1], c.operands);
      }},
     {About::both, "has two negative operands",
      [](const TraitCase& c) {
-       return is_negative(c.words[0], c.format) && is_negative(c.words[1], c.format);
+       return is_negative(c.words[0], c.operands) && is_negative(c.words[1], c.operands);
      }},
     {About::both, "has two odd operands",
      [](const TraitCase& c) { return (c.words[0] & c.words[1] & 1U) != 0; }},
@@ -121,7 +121,7 @@ constexpr bool outward(const TraitCase& c) { return c.place.negative ? down_by_1
 constexpr bool inward(const TraitCase& c) { return c.place.negative ? up_by_1(c) : down_by_1(c); }
 /// Tells whether words have an integer part and a fraction.
 constexpr bool has_both_parts(const Format& f) {
-  return f.fraction_bits > 0 && f.fraction_bits < f.word_bits;
+  return !f.is_decimal && f.fraction_bits > 0 && f.fraction_bits < f.word_bits;
 }
 constexpr std::uint64_t wrong_bits(const TraitCase& c) {
   return both_words(c) ? *c.said ^ *c.expected : 0;
@@ -129,6 +129,8 @@ constexpr std::uint64_t wrong_bits(const TraitCase& c) {
 
 /// The first that holds is shown, so a trait stands before those that it implies.
 constexpr auto wrong_traits = std::to_array<ResultTrait>({
+    {"is no word of the format, which the bits above it show",
+     [](const TraitCase& c) { return c.said && !is_word(*c.said, c.format); }},
     {"is DE in place of a word", [](const TraitCase& c) { return !c.said; }},
     {"is a word in place of DE", [](const TraitCase& c) { return !c.expected; }},
     {"is 1 ulp too low", down_by_1},
@@ -196,12 +198,12 @@ std::size_t case_trait_count() {
   return operand_groups * operand_traits + pair_traits.size() + place_traits.size();
 }
 
-TraitSet case_traits(cases::Operation operation, const TraitCase& of) {
-  const std::size_t count = words_of(operation);
-  const TraitSet first = count == 0 ? 0 : set_of_operand(of.words[0], of.format);
+TraitSet case_traits(const cases::Variant& variant, const TraitCase& of) {
+  const std::size_t count = words_of(variant);
+  const TraitSet first = count == 0 ? 0 : set_of_operand(of.words[0], of.operands);
   TraitSet operands = first;
   if (count == 2) {
-    const TraitSet second = set_of_operand(of.words[1], of.format);
+    const TraitSet second = set_of_operand(of.words[1], of.operands);
     operands |= second << operand_traits | (first | second) << (2 * operand_traits) |
                 set_of(pair_traits, of) << (operand_groups * operand_traits);
   }
@@ -217,8 +219,9 @@ About about(std::size_t case_trait) {
                                    : place_traits.at(rest - pair_traits.size()).about;
 }
 
-std::string case_trait_text(cases::Operation operation, const Format& format,
-                            std::size_t case_trait) {
+std::string case_trait_text(const cases::Variant& variant, std::size_t case_trait) {
+  const cases::Operation operation = variant.operation;
+  const Format format = operand_format(variant);
   const std::size_t group = case_trait / operand_traits;
   if (group < operand_groups) {
     const std::string_view with_article = noun_of(operation, static_cast<About>(group));

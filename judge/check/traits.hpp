@@ -20,7 +20,8 @@ struct TraitCase {
   CaseKind kind = CaseKind::exact;
   Said expected;
   Said said;
-  cases::Format format{};
+  cases::Format format{};    ///< of the results
+  cases::Format operands{};  ///< of the words
 };
 
 /// Bit i is set if trait i holds.
@@ -31,19 +32,19 @@ inline constexpr std::size_t max_traits = 64;
 enum class About : std::uint8_t { first, second, either, both, kind, sign };
 inline constexpr std::size_t parts_of_case = 6;
 
-/// The operands that traits describe: words of the results' format. Those of cases that are judged
-/// by their exact value are lines of text.
-constexpr std::size_t words_of(cases::Operation operation) {
-  return is_judged_by_value(operation) ? 0 : cases::words_in(operation);
+/// The number of operands that traits describe: none of conversions, functions and sums.
+constexpr std::size_t words_of(const cases::Variant& v) {
+  const bool has_none = cases::is_conversion(v.operation) || cases::is_function(v.operation) ||
+                        cases::is_sum(v.operation) || v.operation == cases::Operation::mul_div;
+  return has_none ? 0 : cases::words_in(v.operation);
 }
 
 /// The number of traits of a case. They depend on the operands and the exact result only.
 std::size_t case_trait_count();
-TraitSet case_traits(cases::Operation operation, const TraitCase& of);
+TraitSet case_traits(const cases::Variant& variant, const TraitCase& of);
 About about(std::size_t case_trait);
 /// Completes "every wrong case": `has divisor 80000000`, `is an exact tie`.
-std::string case_trait_text(cases::Operation operation, const cases::Format& format,
-                            std::size_t case_trait);
+std::string case_trait_text(const cases::Variant& variant, std::size_t case_trait);
 
 /// The name of an operand with its article: `a divisor`. `either` is `an operand`.
 std::string_view noun_of(cases::Operation operation, About operand);

@@ -28,40 +28,54 @@ BestRules best_of(std::span<const RuleScore> scores) {
 
 }  // namespace
 
-RuleTrial::RuleTrial(cases::Operation operation, const cases::Format& format)
-    : operation_(operation), format_(format) {}
+void RuleTrial::add_faithful(const JudgedCase& one, bool negative) {
+  const auto down = rounded_result(variant_, one.values(), oracle::Rounding::floor);
+  const auto up = rounded_result(variant_, one.values(), oracle::Rounding::ceiling);
+  if (!down || !down->fits || !up->fits) return;
+  score(faithful_, one.said == down->word || one.said == up->word, one, negative);
+  if (down->word == up->word) return;
+  ++inexact_;
+  if (one.said == up->word) ++upper_;
+}
 
 void RuleTrial::add(const JudgedCase& one, bool negative) {
-  const auto overflows = overflow_rules(format_);
-  const auto no_results = no_result_rules(operation_, format_);
+  const auto overflows = overflow_rules(variant_.format);
+  const auto no_results = no_result_rules(variant_);
   for (std::size_t r = 0; r < rounding_count; ++r) {
     const oracle::Rounding rounding = roundings()[r];
-    const auto rounded = rounded_result(operation_, format_, one.values(), rounding);
+    const auto rounded = rounded_result(variant_, one.values(), rounding);
     if (!rounded) {
       for (std::size_t i = 0; i < no_results.size(); ++i) {
         score(no_results_.at(r).at(i),
-              keeps(no_results[i], format_, one.values(), rounding, one.said), one, negative);
+              keeps(no_results[i], variant_.format, one.values(), rounding, one.said), one,
+              negative);
       }
     } else if (rounded->fits) {
       score(in_range_.at(r), one.said == rounded->word, one, negative);
     } else {
       for (std::size_t i = 0; i < overflows.size(); ++i) {
-        score(overflows_.at(r).at(i), keeps(overflows[i], format_, *rounded, one.said), one,
+        score(overflows_.at(r).at(i), keeps(overflows[i], variant_.format, *rounded, one.said), one,
               negative);
       }
     }
   }
+  add_faithful(one, negative);
 }
 
-BestRules RuleTrial::rounding() const { return best_of(in_range_); }
+BestRules RuleTrial::rounding() const {
+  // A half that is added and then cut looks like ceiling on most negative results, so a ceiling
+  // with many exceptions is no guess. It is the last rounding.
+  const RuleScore& ceiling = in_range_.back();
+  const bool is_kept = 100 * ceiling.exceptions.count() <= ceiling.cases;
+  return best_of(std::span(in_range_).first(is_kept ? rounding_count : rounding_count - 1));
+}
 
 BestRules RuleTrial::overflow(std::size_t rounding) const {
-  return best_of(std::span(overflows_.at(rounding)).first(overflow_rules(format_).size()));
+  return best_of(std::span(overflows_.at(rounding)).first(overflow_rules(variant_.format).size()));
 }
 
 BestRules RuleTrial::no_result(std::size_t rounding) const {
-  return best_of(
-      std::span(no_results_.at(rounding)).first(no_result_rules(operation_, format_).size()));
+  return best_of(std::span(no_results_.at(rounding)).first(no_result_rules(variant_).size()));
 }
 
 }  // namespace fixproof::check

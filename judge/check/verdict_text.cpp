@@ -21,16 +21,14 @@ std::string text_of_said(Said said, const cases::Format& format) {
 /// Returns the words in hex and, in parentheses, their values; the operand of a conversion
 /// likewise.
 std::string text_of_operands(const JudgedCase& one, const Rules& rules) {
-  if (one.converted) {
-    return text_of(*one.converted, variant_of(rules.operation, rules.format, rules.from));
-  }
+  if (one.converted) return text_of(*one.converted, rules.variant);
   std::string hex;
   std::string decimal;
   const auto values = one.values().words();
-  for (std::size_t i = 0; i < cases::words_in(rules.operation); ++i) {
+  for (std::size_t i = 0; i < cases::words_in(rules.variant.operation); ++i) {
     const std::string_view space = hex.empty() ? "" : " ";
-    hex += fmt::format("{}{}", space, hex_text(one.words.at(i), rules.format));
-    decimal += fmt::format("{}{}", space, decimal_text(values[i], rules.format));
+    hex += fmt::format("{}{}", space, hex_text(one.words.at(i), rules.variant.format));
+    decimal += fmt::format("{}{}", space, decimal_text(values[i], rules.variant.format));
   }
   return fmt::format("{} ({})", hex, decimal);
 }
@@ -58,25 +56,31 @@ std::string table_of(const Judge& judge) {
     add_to(sum, all);
     add_to(negative_sum, negative);
     if (all.cases == 0) continue;
-    text += table_line(name_of(kind, judge.rules().operation), all, negative);
+    text += table_line(name_of(kind, judge.rules().variant.operation), all, negative);
   }
   return text + table_line("all", sum, negative_sum);
 }
 
 std::string wrong_cases(const Judge& judge) {
-  const FirstCases& wrong = judge.wrong();
-  if (wrong.count() == 0) return "";
+  if (judge.wrong() == 0) return "";
+  const std::vector<JudgedCase> shown = judge.shown();
   std::string text = "\n";
-  for (const JudgedCase& one : wrong.shown()) text += text_of(one, judge.rules()) + '\n';
-  if (wrong.shown().size() < wrong.count()) {
-    text += fmt::format("Shown: {} of {} wrong results; --show N shows more.\n",
-                        wrong.shown().size(), support::grouped(wrong.count()));
+  for (const JudgedCase& one : shown) text += text_of(one, judge.rules()) + '\n';
+  if (shown.size() < judge.wrong()) {
+    text += fmt::format("Shown: {} of {} wrong results; --show N shows more.\n", shown.size(),
+                        support::grouped(judge.wrong()));
   }
   return text;
 }
 
 std::string common_text(const Judge& judge) {
   std::string text;
+  if (const int bits = judge.idle_bits(); bits > 0) {
+    text +=
+        fmt::format("  every result in range is a multiple of {} units: {} always 0\n",
+                    support::grouped(std::uint64_t{1} << bits),
+                    bits == 1 ? "its lowest bit is" : fmt::format("its lowest {} bits are", bits));
+  }
   for (const std::string& line : judge.common().lines()) text += fmt::format("  {}\n", line);
   return text.empty() ? "" : "\nWhat the wrong cases have in common:\n" + text;
 }
@@ -84,13 +88,13 @@ std::string common_text(const Judge& judge) {
 }  // namespace
 
 std::string text_of(const JudgedCase& one, const Rules& rules) {
-  const cases::Operation operation = rules.operation;
-  const cases::Format& format = rules.format;
+  const cases::Operation operation = rules.variant.operation;
+  const cases::Format& format = rules.variant.format;
   // A rule of a program takes the words as they are.
   const Expected expected =
       expected_of(rules, rules.port != nullptr ? one.operands() : one.values());
-  const ExactPlace place = exact_place(operation, format, one.values());
-  const auto rounded = rounded_result(operation, format, one.values(), rules.rounding);
+  const ExactPlace place = exact_place(rules.variant, one.values());
+  const auto rounded = rounded_result(rules.variant, one.values(), rules.rounding);
   const CaseKind kind = place.kind(rounded && !rounded->fits);
   std::string text = fmt::format("case {} ({}): {}: ", support::grouped(one.number),
                                  support::printable(one.origin), text_of_operands(one, rules));
@@ -98,11 +102,16 @@ std::string text_of(const JudgedCase& one, const Rules& rules) {
     return text + fmt::format("{} expected, {} said", decimal_text(*expected.said, format),
                               support::printable(one.said_text));
   }
-  if (expected.judged) text += fmt::format("{} expected, ", text_of_said(expected.said, format));
-  text += fmt::format("{} said; ", text_of_said(one.said, format));
-  if (place.has_result) {
-    text += fmt::format("exact {} ulp, ", exact_text(operation, format, one.values()));
+  const bool in_range = rounded && rounded->fits;
+  if (expected.judged) {
+    text += text_of_said(expected.said, format);
+    if (in_range && rules.within) text += fmt::format(" {}", text_of_rounding(rules));
+    if (in_range && rules.faithful) text += " or its neighbour beyond the exact result";
+    text += " expected, ";
   }
+  text += fmt::format("{} said; ", text_of_said(one.said, format));
+  if (place.has_result)
+    text += fmt::format("exact {} ulp, ", exact_text(rules.variant, one.values()));
   return text + std::string(name_of(kind, operation));
 }
 

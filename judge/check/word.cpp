@@ -18,7 +18,7 @@ namespace fixproof::check {
 namespace {
 
 constexpr std::size_t digits_of(const cases::Format& format) {
-  return static_cast<std::size_t>(format.word_bits / 4);
+  return static_cast<std::size_t>(cases::storage_bits(format) / 4);
 }
 
 /// The fewest places that distinguish all words: the smallest p with 10^p >= 2^fraction_bits.
@@ -55,24 +55,43 @@ void join_words(std::span<const std::uint32_t> parts, const cases::Format& forma
   }
 }
 
+oracle::Ratio unit_of(const cases::Format& format) {
+  const auto exponent = static_cast<unsigned>(std::abs(format.fraction_bits));
+  const oracle::Integer power = pow(oracle::Integer(format.is_decimal ? 10 : 2), exponent);
+  return format.fraction_bits < 0 ? oracle::Ratio{power, 1} : oracle::Ratio{1, power};
+}
+
+oracle::Ratio value_of(std::uint64_t word, const cases::Format& format) {
+  const oracle::Ratio unit = unit_of(format);
+  return {oracle::ulps(word, format.as<oracle::Format>()) * unit.numerator, unit.denominator};
+}
+
+oracle::Integer to_ulps(const oracle::Ratio& value, oracle::Rounding rule,
+                        const cases::Format& format) {
+  const oracle::Ratio unit = unit_of(format);
+  return oracle::rounded(value.numerator * unit.denominator, value.denominator * unit.numerator,
+                         rule);
+}
+
 std::string hex_text(std::uint64_t word, const cases::Format& format) {
-  return fmt::format("{:0{}x}", word, digits_of(format));
+  return fmt::format("{:0{}x}", cases::stored_or_word(word, format), digits_of(format));
 }
 
 std::string decimal_text(std::uint64_t word, const cases::Format& format) {
-  const oracle::Integer ulps = oracle::ulps(word, format.as<oracle::Format>());
-  const oracle::Integer one = oracle::Integer(1) << format.fraction_bits;
+  const auto [numerator, denominator] = value_of(word, format);
   // A short fraction is exact.
   constexpr int most_exact = 8;
-  const int places = format.fraction_bits <= most_exact ? format.fraction_bits : places_of(one);
-  oracle::Integer scale = 1;
-  for (int i = 0; i < places; ++i) scale *= 10;
+  const int places = format.fraction_bits <= 0 ? 0
+                     : format.is_decimal || format.fraction_bits <= most_exact
+                         ? format.fraction_bits
+                         : places_of(denominator);
+  const oracle::Integer scale = pow(oracle::Integer(10), static_cast<unsigned>(places));
   const oracle::Integer value =
-      oracle::rounded(abs(ulps) * scale, one, oracle::Rounding::half_even);
+      oracle::rounded(abs(numerator) * scale, denominator, oracle::Rounding::half_even);
   const oracle::Integer whole = value / scale;
   std::string fraction = (scale + value % scale).str().substr(1);
   fraction.erase(fraction.find_last_not_of('0') + 1);
-  return fmt::format("{}{}{}{}", ulps < 0 ? "-" : "", whole.str(), fraction.empty() ? "" : ".",
+  return fmt::format("{}{}{}{}", numerator < 0 ? "-" : "", whole.str(), fraction.empty() ? "" : ".",
                      fraction);
 }
 
@@ -85,7 +104,7 @@ std::string result_format(const cases::Format& format, bool decimal) {
 Said parse_result(std::string_view line, const cases::Format& format) {
   if (line == "DE") return std::nullopt;
   try {
-    return support::parse_long_hex(line, digits_of(format));
+    return cases::stored_or_word(support::parse_long_hex(line, digits_of(format)), format);
   } catch (const support::UsageError& error) {
     throw support::UsageError(fmt::format("{}; {}", error.what(), result_format(format)));
   }
@@ -109,8 +128,7 @@ oracle::Ratio parse_decimal(std::string_view text) {
 }
 
 Said parse_decimal_result(std::string_view line, const cases::Format& format) {
-  const oracle::Integer ulps =
-      oracle::to_ulps(parse_decimal(line), oracle::Rounding::half_even, format.fraction_bits);
+  const oracle::Integer ulps = to_ulps(parse_decimal(line), oracle::Rounding::half_even, format);
   const auto wide = format.as<oracle::Format>();
   return oracle::fits(ulps, wide) ? Said(oracle::wrap(ulps, wide)) : std::nullopt;
 }

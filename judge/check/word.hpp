@@ -1,5 +1,6 @@
 /// @file
-/// Words of any format, in at most 64 bits, and the words that rules and traits name.
+/// Words of any format, in at most 64 bits, the words that rules and traits name, and exact values
+/// in units of a format.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,8 @@
 
 namespace fixproof::check {
 
-/// A subject's result: a word, or empty for a divide error.
+/// A subject's result: a word, or empty for a divide error. What the integer stores that holds a
+/// word may be none; such a result has bits above the word.
 using Said = std::optional<std::uint64_t>;
 
 constexpr std::uint64_t sign_bit(const cases::Format& format) {
@@ -32,15 +34,40 @@ constexpr std::uint64_t minus_highest(const cases::Format& format) {
   return format.is_signed ? sign_bit(format) + 1 : 0;
 }
 
+/// Tells whether a result is a word of the format.
+constexpr bool is_word(std::uint64_t said, const cases::Format& format) {
+  return (said & ~cases::all_ones(format)) == 0;
+}
+
 /// Returns the word of 1.0; empty if the format does not have it.
 constexpr std::optional<std::uint64_t> whole_one(const cases::Format& format) {
-  if (format.fraction_bits >= cases::magnitude_bits(format)) return std::nullopt;
-  return std::uint64_t{1} << format.fraction_bits;
+  if (format.is_decimal) {
+    std::uint64_t power = 1;
+    for (int i = 0; i < format.fraction_bits; ++i) {
+      if (power > highest(format) / 10) return std::nullopt;
+      power *= 10;
+    }
+    return power;
+  }
+  const int exponent = format.fraction_bits;
+  if (exponent < 0 || exponent >= cases::magnitude_bits(format)) return std::nullopt;
+  return std::uint64_t{1} << exponent;
 }
-/// Returns the bits of a word that have a place after the point.
+/// Returns the bits of a word that have a place after the point. In a decimal scale none has.
 constexpr std::uint64_t fraction_of(const cases::Format& format) {
-  return format.fraction_bits == 0 ? 0 : ~std::uint64_t{0} >> (64 - format.fraction_bits);
+  if (format.is_decimal || format.fraction_bits <= 0) return 0;
+  return format.fraction_bits >= format.word_bits
+             ? cases::all_ones(format)
+             : ~std::uint64_t{0} >> (64 - format.fraction_bits);
 }
+
+/// Returns the value of one unit.
+oracle::Ratio unit_of(const cases::Format& format);
+/// Returns the value of a word.
+oracle::Ratio value_of(std::uint64_t word, const cases::Format& format);
+/// Returns a value in units, rounded once.
+oracle::Integer to_ulps(const oracle::Ratio& value, oracle::Rounding rule,
+                        const cases::Format& format);
 
 /// Returns minus a word, modulo 2^word_bits.
 constexpr std::uint64_t minus(std::uint64_t word, const cases::Format& format) {
@@ -58,15 +85,17 @@ constexpr std::uint64_t magnitude(std::uint64_t word, const cases::Format& forma
 void join_words(std::span<const std::uint32_t> parts, const cases::Format& format,
                 std::span<std::uint64_t> words);
 
-/// Returns a word in hex digits: 8 for 32 bits.
+/// Returns the integer that stores a word in hex digits: 8 for 32 bits and for 18.
 std::string hex_text(std::uint64_t word, const cases::Format& format);
-/// Returns the value of a word in decimal, with enough places to distinguish all words.
+/// Returns the value of a word in decimal, with enough places to distinguish all words; exact if
+/// that takes at most 8 places, and in a decimal scale.
 std::string decimal_text(std::uint64_t word, const cases::Format& format);
 
 /// Returns what a result of the format looks like, for errors.
 std::string result_format(const cases::Format& format, bool decimal = false);
 
-/// Parses lower-case hex digits, as many as a word has, or DE for a divide error.
+/// Parses lower-case hex digits, as many as the integer that stores a word has, or DE for a divide
+/// error.
 /// @throws UsageError describing the defect
 Said parse_result(std::string_view line, const cases::Format& format);
 

@@ -82,6 +82,10 @@ std::string rounded_product(Rounding rounding, const cases::Format& format) {
       return with_sign(cut(plus("product-size", half)));
     case Rounding::truncate:
       return with_sign(cut("product-size"));
+    case Rounding::ceiling:
+      return cut(
+          plus("product",
+               f == 0 ? half : fmt::format("(_ bv{} {})", (std::uint64_t{1} << f) - 1, bits)));
     case Rounding::half_even:
       break;
   }
@@ -148,6 +152,9 @@ std::string rounded_quotient(Rounding rounding, const cases::Format& format) {
     case Rounding::floor:
       more = filled("(and negative (distinct rest (_ bv0 {1})))", format);
       break;
+    case Rounding::ceiling:
+      more = filled("(and (not negative) (distinct rest (_ bv0 {1})))", format);
+      break;
     case Rounding::half_away:
       more = fmt::format("(bvuge {} unit)", doubled);
       break;
@@ -165,7 +172,7 @@ std::string rounded_quotient(Rounding rounding, const cases::Format& format) {
 
 /// Returns the word for a result out of range, or nothing if no word replaces it.
 std::string overflowed(const check::Rules& rules) {
-  const cases::Format& format = rules.format;
+  const cases::Format& format = rules.variant.format;
   const auto word = [&](std::uint64_t value) {
     return fmt::format("(_ bv{} {})", value, format.word_bits);
   };
@@ -218,25 +225,25 @@ bool has_claimable_quotient(const check::Rules& rules) {
       rules.overflow == check::Overflow::any || rules.overflow == check::Overflow::error;
   const bool is_lack_told =
       rules.no_result == check::NoResult::any || rules.no_result == check::NoResult::error;
-  const cases::Format& format = rules.format;
+  const cases::Format& format = rules.variant.format;
   return told && is_lack_told &&
-         (rules.operation != Operation::div || format.fraction_bits != format.word_bits);
+         (rules.variant.operation != Operation::div || format.fraction_bits != format.word_bits);
 }
 
 bool is_claimable(const check::Rules& rules, Shape shape) {
-  const cases::Format& format = rules.format;
+  const cases::Format& format = rules.variant.format;
   if (rules.port != nullptr && !rules.port->is_general && !is_guarded(rules)) return false;
   if (!format.is_signed || (format.word_bits != 16 && format.word_bits != 32)) return false;
   if (shape == Shape::of_digits && format.word_bits != 32) return false;
-  return !has_quotient(rules.operation) || has_claimable_quotient(rules);
+  return !has_quotient(rules.variant.operation) || has_claimable_quotient(rules);
 }
 
 }  // namespace
 
 std::optional<Claim> claim_of(const check::Rules& rules, Shape shape) {
-  const cases::Format& format = rules.format;
+  const cases::Format& format = rules.variant.format;
   const int bits = format.word_bits;
-  const Operation operation = rules.operation;
+  const Operation operation = rules.variant.operation;
   if (!is_claimable(rules, shape)) return std::nullopt;
   std::string definitions = filled(signs, format);
   std::string rounded;

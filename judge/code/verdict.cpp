@@ -78,9 +78,9 @@ struct Judging {
           check::JudgedCase one = judged_case(subject.variant, words, answer);
           one.number = verdict.judge->cases() + 1;
           one.origin = origin;
-          const std::uint64_t before = verdict.judge->wrong().count();
+          const std::uint64_t before = verdict.judge->wrong();
           verdict.judge->add(one);
-          if (verdict.judge->wrong().count() == before) return;
+          if (verdict.judge->wrong() == before) return;
           const int size = size_of(subject.variant, words);
           if (!smallest.empty() && size >= smallest_size) return;
           smallest.assign(words.begin(), words.end());
@@ -94,7 +94,7 @@ struct Judging {
 check::JudgedCase judged_case(const cases::Variant& variant, std::span<const std::uint32_t> words,
                               const Answer& answer) {
   check::JudgedCase one;
-  if (check::is_judged_by_value(variant.operation)) {
+  if (check::is_judged_by_value(variant)) {
     std::string line;
     cases::append_operands(line, variant, words);
     one.converted = check::parse_converted(line, variant);
@@ -129,7 +129,7 @@ Verdict judge_routine(const Subject& subject, const VerdictOptions& options) {
         used.rules.overflow == check::Overflow::any && used.rules.no_result == check::NoResult::any;
     if (is_open && guess.verdict.judge->trial().rounding().first.exceptions.count() > 0 &&
         !ports.empty()) {
-      used.rules = check::rules_of(*ports.front(), used.rules.format);
+      used.rules = check::rules_of(*ports.front(), used.rules.variant.format);
     }
   }
   Judging judging{subject, used};

@@ -35,7 +35,8 @@ inline bool register_test(const std::string& name, const std::string& test, cons
 
 /// Registers one test per stream of cases.
 inline bool register_streams(const Subject& subject, const char* file, int line) {
-  for (const auto& [stream, cases] : streams_of(subject.rules.operation, subject.rules.format)) {
+  for (const auto& [stream, cases] :
+       streams_of(subject.rules.variant.operation, subject.rules.variant.format)) {
     register_test(
         subject.name, std::string(cases::name_of(stream)), file, line,
         [subject, stream = stream, cases = cases] { return failures_in(subject, stream, cases); });
@@ -49,11 +50,12 @@ inline bool register_streams(const Subject& subject, const char* file, int line)
 
 /// Takes rules by their names, as enumerators of judge/check/rules.hpp, and the format as a type of
 /// fixed/formats.hpp.
-#define FIXPROOF_SUBJECT_IN(number, function, operation, rounding, overflow, no_result) \
-  ::fixproof::property::subject<number>(                                                \
-      #function,                                                                        \
-      {::fixproof::cases::Operation::operation, ::oracle::Rounding::rounding,           \
-       ::fixproof::check::Overflow::overflow, ::fixproof::check::NoResult::no_result},  \
+#define FIXPROOF_SUBJECT_IN(number, function, operation, rounding, overflow, no_result)   \
+  ::fixproof::property::subject<number>(                                                  \
+      #function,                                                                          \
+      ::fixproof::property::rules_of(                                                     \
+          ::fixproof::cases::Operation::operation, ::oracle::Rounding::rounding,          \
+          ::fixproof::check::Overflow::overflow, ::fixproof::check::NoResult::no_result), \
       [](auto... operands) -> decltype(function(operands...)) { return function(operands...); })
 
 #define FIXPROOF_SUBJECT(function, operation, rounding, overflow, no_result) \

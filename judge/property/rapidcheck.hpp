@@ -27,7 +27,7 @@ bool property_holds(const Subject& subject) {
     RC_FAIL(check::text_of(kept, subject.rules));
   };
   const auto word = [](Number x) { return *detail::word_of(x.raw()); };
-  if (cases::words_in(subject.rules.operation) == 1) {
+  if (cases::words_in(subject.rules.variant.operation) == 1) {
     return rc::check(subject.name, [&](Number a) { check(std::array{word(a)}); });
   }
   return rc::check(subject.name, [&](Number a, Number b) { check(std::array{word(a), word(b)}); });

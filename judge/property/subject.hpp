@@ -28,6 +28,15 @@ struct Subject {
   std::function<check::Said(std::span<const std::uint64_t>)> ask;
 };
 
+/// Rules in 16.16, which subject() takes to the format of its type.
+constexpr check::Rules rules_of(cases::Operation operation, oracle::Rounding rounding,
+                                check::Overflow overflow, check::NoResult no_result) {
+  return {.variant = {.operation = operation},
+          .rounding = rounding,
+          .overflow = overflow,
+          .no_result = no_result};
+}
+
 namespace detail {
 
 template <class Raw>
@@ -62,7 +71,7 @@ Subject subject(std::string name, const check::Rules& rules, Function function) 
   using Raw = typename Number::raw_type;
   const auto raw = [](std::uint64_t word) { return static_cast<Raw>(word); };
   Subject one{std::move(name), rules, {}};
-  one.rules.format = format_of<Number>();
+  one.rules.variant.format = format_of<Number>();
   if constexpr (std::is_invocable_v<Function, Raw, Raw>) {
     one.ask = [function, raw](std::span<const std::uint64_t> words) {
       return detail::answer_of<Raw>(function(raw(words[0]), raw(words[1])));
@@ -82,16 +91,11 @@ inline bool holds(const Subject& subject, std::span<const std::uint64_t> words) 
          check::keeps(subject.rules, words, subject.ask(words));
 }
 
-/// The type's rules in a format.
-inline cases::Variant variant_of(cases::Operation operation, const cases::Format& format) {
-  return {.operation = operation, .build = {.target = cases::Target::standard}, .format = format};
-}
-
 /// The level 1 streams of the operation, and the number of cases in each.
 inline std::vector<std::pair<cases::Stream, std::uint64_t>> streams_of(
     cases::Operation operation, const cases::Format& format = cases::q16_16) {
   // Two parties, because a plan has no cases if there is nothing to compare.
-  const cases::Plan plan(1, 1994, {{variant_of(operation, format), {"a", "b"}}});
+  const cases::Plan plan(1, 1994, {{cases::variant_of(operation, format), {"a", "b"}}});
   std::vector<std::pair<cases::Stream, std::uint64_t>> streams;
   for (const cases::Job& job : plan.jobs()) streams.emplace_back(job.stream, job.cases);
   return streams;
@@ -100,9 +104,9 @@ inline std::vector<std::pair<cases::Stream, std::uint64_t>> streams_of(
 /// Describes the failures in a stream of cases, listing only the first ones; empty if there are
 /// none.
 inline std::string failures_in(const Subject& subject, cases::Stream stream, std::uint64_t cases) {
-  const cases::Format& format = subject.rules.format;
-  const cases::Variant variant = variant_of(subject.rules.operation, format);
-  const std::size_t arity = cases::words_in(subject.rules.operation);
+  const cases::Format& format = subject.rules.variant.format;
+  const cases::Variant variant = cases::variant_of(subject.rules.variant.operation, format);
+  const std::size_t arity = cases::words_in(subject.rules.variant.operation);
   const std::size_t parts = cases::words_in(variant);
   std::array<std::uint32_t, 2048> room{};
   check::FirstCases wrong;

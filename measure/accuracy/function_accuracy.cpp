@@ -164,7 +164,7 @@ std::vector<AccuracyRow> measure_function(const cases::Variant& variant,
                                           const std::atomic<bool>& stop) {
   const Format& format = variant.format;
   const std::vector<FunctionSubject> subjects = subjects_of(variant);
-  const check::Curve empty(format, cases::words_in(variant.operation));
+  const check::Curve empty(variant);
   std::vector<check::Curve> curves(subjects.size(), empty);
   std::vector<AccuracyRow> rows;
   for (const FunctionSubject& subject : subjects) {
@@ -179,18 +179,19 @@ std::vector<AccuracyRow> measure_function(const cases::Variant& variant,
   check::GeneratedCases source(variant, {.seed = request.seed, .cases = request.cases});
   while (const auto operands = source.next_converted()) {
     if (stop) break;
-    const auto rounded =
-        check::rounded_result(variant.operation, format, *operands, oracle::Rounding::half_up);
+    const auto rounded = check::rounded_result(variant, *operands, oracle::Rounding::half_up);
     if (!rounded || !rounded->fits) {
       for (AccuracyRow& row : rows) ++row.beyond;
       continue;
     }
+    std::array<std::uint64_t, 3> three{};
+    std::ranges::copy(operands->words, three.begin());
     check::JudgedCase judged;
     judged.converted = operands;
     const ExactResult exact{operands->value->numerator << format.fraction_bits,
                             operands->value->denominator};
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      const std::uint64_t said = subjects[k].answer(operands->words);
+      const std::uint64_t said = subjects[k].answer(three);
       const double largest = rows[k].errors.max();
       const double error = std::fabs(
           add_error(rows[k].errors, oracle::ulps(said, format.as<oracle::Format>()), exact));
@@ -235,7 +236,7 @@ std::optional<FormatAccuracyResult> measure_function_accuracy(const MeasureReque
   progress.begin(functions.size(), "functions");
   for (const cases::Operation function : functions) {
     const auto rows =
-        measure_function(check::variant_of(function, request.format), request, progress.stop());
+        measure_function(cases::variant_of(function, request.format), request, progress.stop());
     if (progress.stop()) return std::nullopt;
     result.rows.insert(result.rows.end(), rows.begin(), rows.end());
     progress.add_part();

@@ -131,6 +131,8 @@ std::string rounding_text(Rounding rounding) {
       return "toward minus infinity";
     case Rounding::truncate:
       return "toward zero";
+    case Rounding::ceiling:
+      return "toward plus infinity";
   }
   throw std::invalid_argument("unknown rounding");
 }

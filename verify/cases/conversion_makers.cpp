@@ -17,7 +17,21 @@ void store_long(std::span<std::uint32_t> words, std::uint64_t value) {
 }
 
 /// The fraction bits that a change of format drops.
-int dropped_bits(const Variant& v) { return v.from.fraction_bits - v.format.fraction_bits; }
+int dropped_bits(const Variant& v) {
+  return operand_format(v).fraction_bits - v.format.fraction_bits;
+}
+
+/// About how many bits a fraction has: a digit is worth 3.3 bits.
+int width_of_fraction(const Format& format) {
+  return format.is_decimal ? format.fraction_bits * 10 / 3 : format.fraction_bits;
+}
+
+/// Tells whether a change of format has operands halfway between two results.
+bool drops_bits(const Variant& v, int fewest) {
+  const Format from = operand_format(v);
+  return !from.is_decimal && !v.format.is_decimal && dropped_bits(v) >= fewest &&
+         dropped_bits(v) <= from.word_bits;
+}
 
 // Doubles.
 
@@ -42,8 +56,8 @@ std::uint64_t double_bits(std::uint64_t magnitude, int exponent) {
 
 std::uint64_t any_double_near(Draw& draw, const Format& format) {
   // From a sixteenth of an ulp to four times the largest word.
-  const int exponent =
-      draw.between(-format.fraction_bits - 4, magnitude_bits(format) - format.fraction_bits + 1);
+  const int fraction = width_of_fraction(format);
+  const int exponent = draw.between(-fraction - 4, magnitude_bits(format) - fraction + 1);
   const std::uint64_t mantissa = draw.bits() >> (64 - mantissa_bits);
   return static_cast<std::uint64_t>(exponent + 1023) << mantissa_bits | mantissa;
 }
@@ -73,11 +87,12 @@ std::uint64_t double_in(Stream stream, Draw& draw, const Format& format) {
 
 /// A word of `from` halfway between two of the results' words.
 std::uint64_t word_tie(Draw& draw, const Variant& v) {
+  const Format from = operand_format(v);
   const std::uint64_t half = std::uint64_t{1} << (dropped_bits(v) - 1);
-  std::uint64_t word = any_width(draw, v.from);
+  std::uint64_t word = any_width(draw, from);
   // In one of eight cases next to the end of the results' range, if `from` reaches it.
   const int end = magnitude_bits(v.format) + dropped_bits(v);
-  if (draw.below(8) == 0 && end < v.from.word_bits) {
+  if (draw.below(8) == 0 && end < from.word_bits) {
     word = std::uint64_t{1} << end;
     if (draw.coin()) word -= half;
     if (draw.coin()) word = 0 - word;
@@ -86,7 +101,7 @@ std::uint64_t word_tie(Draw& draw, const Variant& v) {
 }
 
 std::uint64_t word_in(Stream stream, Draw& draw, const Variant& v) {
-  const Format& from = operand_format(v);
+  const Format from = operand_format(v);
   if (stream == Stream::uniform) return any_word(draw, from);
   if (stream == Stream::scaled) return any_width(draw, from);
   std::uint64_t word = word_tie(draw, v);
@@ -118,7 +133,7 @@ void decimal_case(Stream stream, Draw& draw, const Format& format, std::span<std
   if (stream == Stream::uniform) {
     // As people write them: few digits, some after the point.
     const int places = draw.between(0, 6);
-    const int whole_bits = std::max(0, bits - format.fraction_bits);
+    const int whole_bits = std::max(0, bits - width_of_fraction(format));
     magnitude =
         static_cast<std::uint64_t>(draw.magnitude(std::min(62, whole_bits + 1 + places * 10 / 3)));
     form |= counts_places | static_cast<std::uint32_t>(places) * form_number;
@@ -147,14 +162,6 @@ void leave_halfway(std::string& digits, std::uint32_t where, std::uint32_t dista
   }
 }
 
-std::string with_point(std::uint64_t magnitude, std::size_t places) {
-  std::string digits = std::to_string(magnitude);
-  if (places == 0) return digits;
-  if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
-  digits.insert(digits.size() - places, 1, '.');
-  return digits;
-}
-
 }  // namespace
 
 bool has_conversion_stream(Stream stream, const Variant& v) {
@@ -166,12 +173,13 @@ bool has_conversion_stream(Stream stream, const Variant& v) {
     case Stream::every:
       return v.operation == Operation::convert || v.operation == Operation::to_decimal;
     case Stream::value_ties:
-      return v.operation == Operation::from_binary64 || v.operation == Operation::from_decimal ||
-             (v.operation == Operation::convert && dropped_bits(v) > 0);
+      return (v.operation == Operation::from_binary64 && !v.format.is_decimal) ||
+             v.operation == Operation::from_decimal ||
+             (v.operation == Operation::convert && drops_bits(v, 1));
     case Stream::near_value_ties:
       // A word next to a tie is not a tie itself if two bits are dropped.
       return has_conversion_stream(Stream::value_ties, v) &&
-             (v.operation != Operation::convert || dropped_bits(v) > 1);
+             (v.operation != Operation::convert || drops_bits(v, 2));
     default:
       return false;
   }
@@ -191,7 +199,7 @@ void conversion_lattice_case(const Variant& v, std::uint64_t number,
     store_long(words, sign << 63U | number / 2 / mantissas.size() << mantissa_bits | mantissa);
     return;
   }
-  const Format& format = operand_format(v);
+  const Format format = operand_format(v);
   const auto values = boundary_lattice(format.word_bits);
   if (v.operation != Operation::from_decimal) return store_long(words, values[number]);
   const std::uint64_t word = values[number / decimal_forms];
@@ -221,9 +229,9 @@ void append_decimal_operand(std::string& to, std::span<const std::uint32_t> word
   const std::uint32_t number = form / form_number;
   std::string digits;
   if ((form & counts_places) != 0) {
-    digits = with_point(magnitude, number);
+    digits = decimal_of(magnitude, {.fraction_bits = static_cast<int>(number), .is_decimal = true});
   } else {
-    digits = exact_decimal(magnitude, format.fraction_bits, where != 0);
+    digits = decimal_of(magnitude, format, where != 0);
     leave_halfway(digits, where, number);
   }
   if ((form & minus_sign) != 0) to += '-';

@@ -9,11 +9,14 @@
 
 namespace fixproof::cases {
 
-/// The format of a word. A word with raw integer n has the value n / 2^fraction_bits.
+/// The format of a word. A word with raw integer n has the value n / 2^fraction_bits, or
+/// n / 10^fraction_bits if the scale is decimal. The type and the routines have formats that
+/// are is_of_type(); only words that are judged have others.
 struct Format {
-  int word_bits = 32;      ///< 8, 16, 32 or 64
-  int fraction_bits = 16;  ///< 0 ... word_bits
-  bool is_signed = true;   ///< two's complement; otherwise unsigned
+  int word_bits = 32;       ///< 2 ... 64
+  int fraction_bits = 16;   ///< -64 ... 128; digits after the point if the scale is decimal
+  bool is_signed = true;    ///< two's complement; otherwise unsigned
+  bool is_decimal = false;  ///< a unit is a power of ten
 
   /// Returns `value` units as a word of at most 32 bits, modulo 2^word_bits.
   [[nodiscard]] constexpr std::uint32_t word(std::int64_t value) const {
@@ -42,18 +45,46 @@ constexpr std::uint64_t all_ones(const Format& format) {
   return ~std::uint64_t{0} >> (64 - format.word_bits);
 }
 
+/// The bits of the integer that stores a word: the next of 8, 16, 32 and 64.
+constexpr int storage_bits(const Format& format) {
+  int bits = 8;
+  while (bits < format.word_bits) bits *= 2;
+  return bits;
+}
+
+/// Tells whether the format is one of the type's: words that fill 8, 16, 32 or 64 bits, in a unit
+/// of 2^-F with 0 <= F <= word_bits.
+constexpr bool is_of_type(const Format& format) {
+  return storage_bits(format) == format.word_bits && !format.is_decimal &&
+         format.fraction_bits >= 0 && format.fraction_bits <= format.word_bits;
+}
+
+/// Returns the integer that stores a word, with copies of its sign above it; and the other way
+/// round. An integer that stores no word has bits above the word.
+constexpr std::uint64_t stored_or_word(std::uint64_t word, const Format& format) {
+  const bool is_negative = format.is_signed && (word >> (format.word_bits - 1) & 1U) != 0;
+  const std::uint64_t above =
+      (~std::uint64_t{0} >> (64 - storage_bits(format))) & ~all_ones(format);
+  return is_negative ? word ^ above : word;
+}
+
 /// The bits of the largest word.
 constexpr int magnitude_bits(const Format& format) {
   return format.word_bits - (format.is_signed ? 1 : 0);
 }
 
 /// Returns qW_F for a signed format, uW_F for an unsigned one: W bits before the point, the sign
-/// included, and F after it.
+/// included, and F after it. With a decimal scale dB_F or udB_F: B bits in all, in units of 10^-F.
 std::string name_of(const Format& format);
 
 /// Returns the format with this name, such as q16_16, u8_8 or q1_31. W + F is 8, 16, 32 or 64.
 /// @throws UsageError for any other name
 Format format_named(std::string_view name);
+
+/// The same for words that are judged: W + F is 2 ... 64, and each of them may be negative, as in
+/// q20_-2; d64_8 and ud32_2 have units of 10^-8 and 10^-2.
+/// @throws UsageError for any other name
+Format judged_format_named(std::string_view name);
 
 /// Returns the formats that fixed/formats.hpp names, q8_8 and q16_16 among them, narrow words
 /// first.

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "verify/cases/draw.hpp"
 #include "verify/cases/format.hpp"
+#include "verify/cases/streams.hpp"
 
 namespace fixproof::cases {
 
@@ -29,14 +31,10 @@ std::uint64_t odd_number(Draw& draw, int widest);
 /// Returns the word or, in half of the cases of a signed format, its negative.
 std::uint64_t either_sign(Draw& draw, std::uint64_t word, const Format& format);
 
-/// Tells whether a product can lie halfway between two units: there must be a fraction bit.
-constexpr bool has_product_ties(const Format& format) { return format.fraction_bits > 0; }
-
-/// Tells whether a quotient can lie halfway between two units. Only divisors of 2^(F+1) units and
-/// their multiples have such quotients.
-constexpr bool has_quotient_ties(const Format& format) {
-  return magnitude_bits(format) >= format.fraction_bits + 2;
-}
+/// Returns the format that the makers of a stream below take: the operands' words, and as many
+/// fraction bits as put results where the stream wants them if these have another format. Empty if
+/// no operands do.
+std::optional<Format> maker_format(Stream stream, const Variant& variant);
 
 /// The exact product lies halfway between two units.
 WordPair product_tie_in(Draw& draw, const Format& format);
@@ -52,5 +50,8 @@ WordPair large_quotient_in(Draw& draw, const Format& format);
 WordPair small_divisor_in(Draw& draw, const Format& format);
 /// Operands whose roots come nearest to halfway.
 std::uint64_t root_tie_in(Draw& draw, const Format& format);
+
+/// One of the ends of the range and the words next to 0.
+std::uint64_t extreme_word(Draw& draw, const Format& format);
 
 }  // namespace fixproof::cases

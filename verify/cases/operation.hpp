@@ -63,6 +63,10 @@ enum class Operation : std::uint8_t {
   mul_div,    ///< a * b / c, rounded once
   // One more function of real numbers.
   hypot3,  ///< the length of a vector of three numbers
+  // Sums that are rounded once, for `gen`, `eval` and `check`.
+  mul_add,  ///< a * b + c
+  lerp,     ///< a + (b - a) * t
+  dot,      ///< a sum of products, whose operands are all the first factors, then all the second
 };
 
 enum class Kind : std::uint8_t {
@@ -71,20 +75,21 @@ enum class Kind : std::uint8_t {
   function,    ///< of real numbers; sin and cos of FIXED.ASM's formats have oracles of their own
   conversion,  ///< between words, doubles and text
   quotient,    ///< a remainder, or the quotient of a product; a zero divisor has no result
+  sum,         ///< of products, rounded once
 };
 
 struct OperationRow {
   Operation operation;
   std::string_view name;  ///< on the command line
   Kind kind;
-  std::size_t words_in;
+  std::size_t words_in;  ///< of dot for two products
   std::size_t words_out;
   /// Seeds the random cases, so it never changes.
   std::uint64_t seed;
 };
 
 /// In the order of the enumeration.
-inline constexpr std::array<OperationRow, 46> operations{{
+inline constexpr std::array<OperationRow, 49> operations{{
     // operation, name, kind, operands, results, seed
     {Operation::mul, "mul", Kind::routine, 2, 1, 0},
     {Operation::div, "div", Kind::routine, 2, 1, 1},
@@ -132,6 +137,9 @@ inline constexpr std::array<OperationRow, 46> operations{{
     {Operation::remainder, "remainder", Kind::quotient, 2, 1, 43},
     {Operation::mul_div, "mul_div", Kind::quotient, 3, 1, 44},
     {Operation::hypot3, "hypot3", Kind::function, 3, 1, 45},
+    {Operation::mul_add, "mul_add", Kind::sum, 3, 1, 46},
+    {Operation::lerp, "lerp", Kind::sum, 3, 1, 47},
+    {Operation::dot, "dot", Kind::sum, 4, 1, 48},
 }};
 
 constexpr const OperationRow& row_of(Operation o) {
@@ -148,6 +156,9 @@ static_assert([] {
 constexpr std::string_view name_of(Operation o) { return row_of(o).name; }
 constexpr std::size_t words_in(Operation o) { return row_of(o).words_in; }
 constexpr std::size_t words_out(Operation o) { return row_of(o).words_out; }
+/// The most products of `dot`.
+inline constexpr std::size_t max_terms = 64;
+/// Of what verify compares, sums not among it.
 inline constexpr std::size_t max_words_in = 24;
 inline constexpr std::size_t max_words_out = 12;
 
@@ -155,6 +166,7 @@ constexpr bool is_routine(Operation o) { return row_of(o).kind == Kind::routine;
 constexpr bool is_conversion(Operation o) { return row_of(o).kind == Kind::conversion; }
 constexpr bool is_function(Operation o) { return row_of(o).kind == Kind::function; }
 constexpr bool is_quotient_function(Operation o) { return row_of(o).kind == Kind::quotient; }
+constexpr bool is_sum(Operation o) { return row_of(o).kind == Kind::sum; }
 
 /// Tells whether a zero divisor leaves the operation without a result.
 constexpr bool divides(Operation o) { return o == Operation::div || is_quotient_function(o); }

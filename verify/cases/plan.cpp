@@ -125,6 +125,12 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
               {Stream::scaled, sample},
               {Stream::whole_lengths, sample},
               {Stream::near_length_ties, sample}};
+    case Operation::mul_add:
+    case Operation::lerp:
+    case Operation::dot:
+      return {{Stream::extremes, sample},     {Stream::lattice_words, sample},
+              {Stream::uniform, sample},      {Stream::scaled, sample},
+              {Stream::product_ties, sample}, {Stream::near_product_ties, sample}};
     default:  // any other function
       break;
   }
@@ -134,20 +140,14 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
 /// Whether a conversion, or an operation of a format that no routine has, offers cases of a stream.
 bool offers(const Variant& variant, Stream stream) {
   if (is_conversion(variant.operation)) return has_conversion_stream(stream, variant);
-  const Format& format = variant.format;
   switch (stream) {
-    case Stream::product_ties:
-    case Stream::near_product_ties:
-      return has_product_ties(format);
-    case Stream::quotient_ties:
-      return has_quotient_ties(format);
     case Stream::whole_divisor_ties:
     case Stream::fault_edge:
     case Stream::quarter_turns:
     case Stream::hard_angles:
       return false;
     default:
-      return true;
+      return maker_format(stream, variant).has_value();
   }
 }
 

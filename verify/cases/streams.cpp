@@ -17,7 +17,7 @@ namespace fixproof::cases {
 
 namespace {
 
-constexpr std::array<std::string_view, 27> stream_names{"uniform",
+constexpr std::array<std::string_view, 28> stream_names{"uniform",
                                                         "scaled",
                                                         "lattice",
                                                         "every",
@@ -43,7 +43,8 @@ constexpr std::array<std::string_view, 27> stream_names{"uniform",
                                                         "near_ratio_ties",
                                                         "large_ratios",
                                                         "whole_lengths",
-                                                        "near_length_ties"};
+                                                        "near_length_ties",
+                                                        "extremes"};
 
 [[noreturn]] void refuse(Stream stream, const Variant& variant) {
   throw std::invalid_argument(
@@ -120,10 +121,12 @@ bool is_stream_of(Stream stream, const Variant& variant) {
     case Stream::lattice:
       return arity <= 2;
     case Stream::every:
-      return arity <= 3;
+      return arity <= 3 && !is_sum(operation);
     case Stream::product_ties:
     case Stream::near_product_ties:
-      return operation == Operation::mul;
+      return operation == Operation::mul || is_sum(operation);
+    case Stream::extremes:
+      return is_sum(operation);
     case Stream::quotient_ties:
     case Stream::near_quotient_ties:
     case Stream::large_quotients:
@@ -134,7 +137,7 @@ bool is_stream_of(Stream stream, const Variant& variant) {
     case Stream::rotations:
     case Stream::axes:
     case Stream::transform_ties:
-      return arity > 3;
+      return arity > 3 && !is_sum(operation);
     case Stream::lattice_words:
       return arity > 2;
     case Stream::half_multiples:
@@ -205,17 +208,62 @@ std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant) {
 
 namespace {
 
+/// Makes a product like those of a stream, and what is added to it: whole units.
+template <class Make>
+void make_sum(const Variant& variant, Draw& draw, const Format& format,
+              std::span<std::uint64_t> operands, Make make) {
+  const WordPair pair = make(draw, format);
+  switch (variant.operation) {
+    case Operation::mul_add:
+      operands[0] = pair.first;
+      operands[1] = pair.second;
+      operands[2] = any_width(draw, format);
+      return;
+    case Operation::lerp: {
+      // The difference b - a is the first factor. If it leaves the range, a is 0.
+      const std::uint64_t end = draw.coin() ? any_width(draw, format) : 0;
+      const std::uint64_t from = (end - pair.first) & all_ones(format);
+      const bool is_same_side = ((end ^ from) >> (format.word_bits - 1) & 1U) == 0;
+      operands[0] = is_same_side ? from : 0;
+      operands[1] = is_same_side ? end : pair.first;
+      operands[2] = pair.second;
+      return;
+    }
+    default:
+      break;
+  }
+  const std::size_t terms = variant.terms;
+  std::ranges::fill(operands, 0);
+  const std::size_t at = draw.below(terms);
+  operands[at] = pair.first;
+  operands[terms + at] = pair.second;
+}
+
 /// Makes the cases of a format that no routine has.
 void make_cases_in(Stream stream, const Variant& variant, std::uint64_t key, std::uint64_t first,
                    std::span<std::uint32_t> words) {
-  const Format& format = variant.format;
-  const std::size_t arity = words_in(variant.operation);
+  const auto made_for = maker_format(stream, variant);
+  if (!made_for) refuse(stream, variant);
+  const Format& format = *made_for;
+  const std::size_t arity = operands_of(variant);
   const auto numbers = [&](auto make) {
     each_case(words_in(variant), key, first, words, [&](Draw& draw, auto one_case) {
       for (std::size_t i = 0; i < arity; ++i) store(one_case, i, make(draw, format), format);
     });
   };
+  const auto sums = [&](auto make) {
+    std::vector<std::uint64_t> operands(arity);
+    each_case(words_in(variant), key, first, words, [&](Draw& draw, auto one_case) {
+      make(draw, std::span(operands));
+      for (std::size_t i = 0; i < arity; ++i) store(one_case, i, operands[i], format);
+    });
+  };
   const auto pairs = [&](auto make) {
+    if (is_sum(variant.operation)) {
+      return sums([&](Draw& draw, std::span<std::uint64_t> operands) {
+        make_sum(variant, draw, format, operands, make);
+      });
+    }
     each_case(words_in(variant), key, first, words, [&](Draw& draw, auto one_case) {
       const WordPair pair = make(draw, format);
       store(one_case, 0, pair.first, format);
@@ -267,6 +315,14 @@ void make_cases_in(Stream stream, const Variant& variant, std::uint64_t key, std
       return triples(whole_length);
     case Stream::near_length_ties:
       return triples(near_length_tie);
+    case Stream::extremes:
+      return sums([&](Draw& draw, std::span<std::uint64_t> operands) {
+        const bool same = draw.coin();
+        for (std::size_t i = 0; i < arity; ++i) {
+          const bool begins = i == 0 || 2 * i == arity;
+          operands[i] = same && !begins ? operands[i - 1] : extreme_word(draw, format);
+        }
+      });
     default:
       refuse(stream, variant);
   }

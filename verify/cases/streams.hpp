@@ -23,7 +23,7 @@ enum class Stream : std::uint8_t {
   // Enumerated streams of one or two operands.
   lattice,  ///< every ordered choice of values of boundary_lattice()
   every,    ///< every operand, if the operands have at most 32 bits in total; up to three
-  // mul.
+  // mul, and one product of a sum whose other terms are whole units.
   product_ties,       ///< the exact product lies halfway between two units
   near_product_ties,  ///< ... or 2^-F of a unit from halfway, the smallest distance that is not a
                       ///< tie
@@ -57,6 +57,8 @@ enum class Stream : std::uint8_t {
   // hypot of three numbers.
   whole_lengths,     ///< the length is a whole number of units, or one operand is a unit off
   near_length_ties,  ///< the sum of squares is as near to the square of a half as it can be
+  // mul_add, lerp and dot, which also have product_ties and lattice_words.
+  extremes,  ///< every operand is an end of the range or next to 0, often all factors the same
 };
 
 std::string_view name_of(Stream stream);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,10 +19,13 @@ namespace fixproof::cases {
 struct Variant {
   Operation operation = Operation::mul;
   Build build{};
-  /// Of the operands and results. Routines exist in 16.16 and 8.8.
+  /// Of the results, and of the operands unless these have their own. Routines exist in 16.16 and
+  /// 8.8.
   Format format = q16_16;
-  /// Of the operand of `convert`, whose result has the other format.
-  Format from = q16_16;
+  /// Of the operands, if it is not that of the results.
+  std::optional<Format> from{};
+  /// Of dot: the number of products, 1 ... max_terms.
+  std::size_t terms = 2;
 
   friend bool operator==(const Variant&, const Variant&) = default;
 };
@@ -41,6 +45,18 @@ constexpr bool loses_carry(const Variant& v) {
   return can_be_repaired(v.operation, v.build.target) && !v.build.repaired;
 }
 
+/// Returns an operation on operands of one format with results of another, under the rules of the
+/// type or of whoever judges.
+constexpr Variant variant_of(Operation operation, const Format& operands, const Format& results) {
+  Variant variant{.operation = operation, .build = {.target = Target::standard}, .format = results};
+  if (operands != results) variant.from = operands;
+  return variant;
+}
+
+constexpr Variant variant_of(Operation operation, const Format& format) {
+  return variant_of(operation, format, format);
+}
+
 /// Returns a routine of a build at full width. Drops `repaired` if it has no repaired form.
 constexpr Variant variant_of(Operation operation, const Build& build) {
   Variant variant{.operation = operation, .build = build};
@@ -49,8 +65,11 @@ constexpr Variant variant_of(Operation operation, const Build& build) {
 }
 
 /// The format of each operand that is a word.
-constexpr const Format& operand_format(const Variant& v) {
-  return v.operation == Operation::convert ? v.from : v.format;
+constexpr Format operand_format(const Variant& v) { return v.from.value_or(v.format); }
+
+/// The number of operands of a case.
+constexpr std::size_t operands_of(const Variant& v) {
+  return v.operation == Operation::dot ? 2 * v.terms : words_in(v.operation);
 }
 
 /// The width of each operand. The angle of cossin has half the bits of a word. A case of
@@ -74,7 +93,7 @@ constexpr std::size_t words_per_number(const Format& format) {
   return format.word_bits > 32 ? 2 : 1;
 }
 constexpr std::size_t words_in(const Variant& v) {
-  return words_in(v.operation) * static_cast<std::size_t>((operand_bits(v) + 31) / 32);
+  return operands_of(v) * static_cast<std::size_t>((operand_bits(v) + 31) / 32);
 }
 constexpr std::size_t words_out(const Variant& v) {
   return words_out(v.operation) * words_per_number(v.format);
@@ -87,7 +106,8 @@ constexpr int stored_bits(const Variant& v) { return operand_bits(v) > 32 ? 32 :
 constexpr bool has_routine_format(const Variant& v) {
   const bool has_model = v.operation == Operation::sin || v.operation == Operation::cos;
   return !is_conversion(v.operation) && !is_quotient_function(v.operation) &&
-         (has_model || !is_function(v.operation)) && (v.format == q16_16 || v.format == q8_8);
+         !is_sum(v.operation) && !v.from && (has_model || !is_function(v.operation)) &&
+         (v.format == q16_16 || v.format == q8_8);
 }
 
 std::string_view name_of(Target t);
@@ -96,11 +116,13 @@ std::string name_of(const Variant& variant);
 /// Returns the operation with this command-line name.
 /// @throws std::invalid_argument for any other name
 Operation operation_named(std::string_view name);
-/// Tells whether the format has the operation: functions of real numbers are for at most 32 bits,
-/// and `remainder` is for signed formats.
+/// Tells whether the format has the operation: functions of real numbers are for at most 32 bits in
+/// units of 2^-F, with 0 <= F <= the bits, and `remainder` is for signed formats.
 constexpr bool is_in_format(Operation operation, const Format& format) {
   if (operation == Operation::remainder) return format.is_signed;
-  return !is_function(operation) || format.word_bits <= 32;
+  return !is_function(operation) ||
+         (format.word_bits <= 32 && !format.is_decimal && format.fraction_bits >= 0 &&
+          format.fraction_bits <= format.word_bits);
 }
 /// @throws UsageError unless is_in_format()
 void check_format(Operation operation, const Format& format);

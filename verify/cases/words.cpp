@@ -22,8 +22,18 @@ std::int32_t signed_word(std::uint32_t word, int bits) {
 /// The exact value of a word of 64 bits.
 std::string decimal_of_64(const Format& format, std::uint64_t word) {
   const bool negative = format.is_signed && word >> 63U != 0;
-  return fmt::format("{}{}", negative ? "-" : "",
-                     exact_decimal(negative ? 0 - word : word, format.fraction_bits));
+  return fmt::format("{}{}", negative ? "-" : "", decimal_of(negative ? 0 - word : word, format));
+}
+
+/// Multiplies a number in decimal digits.
+void multiply(std::string& digits, int factor) {
+  int carry = 0;
+  for (std::size_t i = digits.size(); i-- > 0;) {
+    const int product = (digits[i] - '0') * factor + carry;
+    digits[i] = static_cast<char>('0' + product % 10);
+    carry = product / 10;
+  }
+  if (carry != 0) digits.insert(0, 1, static_cast<char>('0' + carry));
 }
 
 std::string decimal(const Variant& v, std::uint32_t word) {
@@ -47,32 +57,34 @@ std::uint64_t joined(std::span<const std::uint32_t> halves) {
 
 }  // namespace
 
-std::string exact_decimal(std::uint64_t magnitude, int fraction_bits, bool and_half) {
-  const int f = fraction_bits;
-  std::string text = fmt::format("{}.", f == 64 ? 0 : magnitude >> f);
-  // The fraction fills three words, the highest last. The digit is what exceeds ten times it.
-  std::uint64_t top = f == 0 ? 0 : magnitude << (64 - f);
-  std::uint32_t below = 0;
-  if (and_half && f == 64) below = 0x80000000U;
-  if (and_half && f < 64) top |= std::uint64_t{1} << (63 - f);
-  std::array<std::uint32_t, 3> rest{below, static_cast<std::uint32_t>(top),
-                                    static_cast<std::uint32_t>(top >> 32U)};
-  while (rest != std::array<std::uint32_t, 3>{}) {
-    std::uint64_t carry = 0;
-    for (std::uint32_t& word : rest) {
-      const std::uint64_t product = std::uint64_t{word} * 10 + carry;
-      word = static_cast<std::uint32_t>(product);
-      carry = product >> 32U;
-    }
-    text += static_cast<char>('0' + carry);
+std::string decimal_of(std::uint64_t magnitude, const Format& format, bool and_half) {
+  std::string digits = std::to_string(magnitude);
+  int places = format.fraction_bits;
+  if (and_half) {
+    multiply(digits, format.is_decimal ? 10 : 2);
+    // The last digit of what has been multiplied is even.
+    digits.back() = static_cast<char>(digits.back() + (format.is_decimal ? 5 : 1));
+    ++places;
   }
-  if (text.back() == '.') text.pop_back();
-  return text;
+  if (!format.is_decimal) {
+    for (int i = 0; i < places; ++i) multiply(digits, 5);  // n / 2^F = n 5^F / 10^F
+    for (int i = places; i < 0; ++i) multiply(digits, 2);
+  }
+  if (places <= 0) return digits;
+  const auto after = static_cast<std::size_t>(places);
+  if (digits.size() <= after) digits.insert(0, after + 1 - digits.size(), '0');
+  digits.insert(digits.size() - after, 1, '.');
+  if (format.is_decimal && !and_half) return digits;
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.back() == '.') digits.pop_back();
+  return digits;
 }
 
 void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_t> words) {
-  const auto digits = static_cast<std::size_t>(operand_bits(v) / 4);
-  const std::size_t each = digits > 8 ? 2 : 1;
+  Format format = operand_format(v);
+  format.word_bits = operand_bits(v);
+  const int stored = storage_bits(format);
+  const std::size_t each = words_per_number(format);
   const std::size_t numbers = words.size() / each;
   for (std::size_t i = 0; i < numbers; ++i) {
     const auto space = line.find(' ');
@@ -81,7 +93,15 @@ void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_
       throw support::UsageError(fmt::format("{} takes {} word{}, separated by single spaces",
                                             name_of(v.operation), numbers, numbers > 1 ? "s" : ""));
     }
-    const std::uint64_t number = support::parse_long_hex(line.substr(0, space), digits);
+    const std::string_view digits = line.substr(0, space);
+    const std::uint64_t number = stored_or_word(
+        support::parse_long_hex(digits, static_cast<std::size_t>(stored / 4)), format);
+    if ((number & ~all_ones(format)) != 0) {
+      throw support::UsageError(fmt::format(
+          "'{}' is not a word of {}: the bits above its {} are not "
+          "{}",
+          digits, name_of(format), format.word_bits, format.is_signed ? "its sign" : "0"));
+    }
     words[i * each] = static_cast<std::uint32_t>(number);
     if (each == 2) words[2 * i + 1] = static_cast<std::uint32_t>(number >> 32U);
     if (!last) line.remove_prefix(space + 1);
@@ -100,7 +120,16 @@ void append_words(std::string& to, std::span<const std::uint32_t> words, int bit
 
 void append_operands(std::string& to, const Variant& v, std::span<const std::uint32_t> words) {
   if (v.operation == Operation::from_decimal) return append_decimal_operand(to, words, v.format);
-  append_words(to, words, operand_bits(v));
+  Format format = operand_format(v);
+  format.word_bits = operand_bits(v);
+  const int stored = storage_bits(format);
+  if (stored == format.word_bits) return append_words(to, words, stored);
+  const std::size_t each = words_per_number(format);
+  for (std::size_t i = 0; i < words.size(); i += each) {
+    const std::uint64_t word = each == 2 ? joined(words.subspan(i, 2)) : words[i];
+    if (i > 0) to += ' ';
+    to += fmt::format("{:0{}x}", stored_or_word(word, format), stored / 4);
+  }
 }
 
 std::string hex_words(std::span<const std::uint32_t> words, int bits) {

@@ -11,12 +11,12 @@
 
 namespace fixproof::cases {
 
-/// Returns the exact value of `magnitude` units of 2^-fraction_bits, and half a unit more if
-/// `and_half`. 0 <= fraction_bits <= 64
-std::string exact_decimal(std::uint64_t magnitude, int fraction_bits, bool and_half = false);
+/// Returns the exact value of `magnitude` units of the format, and half a unit more if `and_half`.
+/// In a decimal scale the fraction has all its digits.
+std::string decimal_of(std::uint64_t magnitude, const Format& format, bool and_half = false);
 
 /// Parses the operands of one case into words_in(v) words. The line has one group of hex digits per
-/// operand, separated by single spaces.
+/// operand, separated by single spaces, each the integer that stores a word.
 /// @throws UsageError describing the defect of the line
 void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_t> words);
 

@@ -18,7 +18,7 @@ struct Drawn {
 };
 
 Drawn draw_all(Operation operation, const CaseOptions& options) {
-  GeneratedCases cases(fixproof::check::variant_of(operation), options);
+  GeneratedCases cases(fixproof::cases::variant_of(operation, fixproof::cases::q16_16), options);
   Drawn drawn;
   Words words(fixproof::cases::words_in(operation));
   while (cases.next(words)) {
@@ -88,8 +88,9 @@ TEST(CheckCases, TheSeedChangesThem) {
 TEST(CheckCases, AShardThatIsNone) {
   CaseOptions options;
   options.shard = "4/3";
-  EXPECT_THROW(GeneratedCases(fixproof::check::variant_of(Operation::mul), options),
-               fixproof::support::UsageError);
+  EXPECT_THROW(
+      GeneratedCases(fixproof::cases::variant_of(Operation::mul, fixproof::cases::q16_16), options),
+      fixproof::support::UsageError);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ command::Run check_two(std::string_view options, std::string_view results) {
 TEST(CheckCommand, RightResults) {
   const auto run = check_two("--rounding half-up", "0003c000\n00000000\n");
   EXPECT_EQ(run.status, 0) << run.err;
-  expect_contains(run.out, "half-up, half-even or toward-zero on all 2 cases in range");
+  expect_contains(run.out, "half-up, half-even, toward-zero or ceiling on all 2 cases in range");
 }
 
 TEST(CheckCommand, ResultsByTheRuleOfAProgram) {
@@ -193,7 +193,7 @@ TEST(CheckCommand, ResultsOfOtherFormats) {
       judge("u8_8", "0180 0240\n", "00000360\n"),
       "line 1: '00000360' has 8 hex digits instead of 4; a result is 4 lower-case hex "
       "digits, or DE for a divide error");
-  expect_usage_error(judge("q9_8", "0180 0240\n", "0360\n"), "q9_8 is not a format");
+  expect_usage_error(judge("q57_8", "0180 0240\n", "0360\n"), "q57_8 is not a format");
   expect_refused("check sqrt --format u8_8 --rounding floor --negative-root zero",
                  "--negative-root applies only to sqrt of a signed format");
 }
@@ -299,11 +299,12 @@ TEST(CheckCommand, OptionsThatAreNone) {
   expect_refused("check mul --format q8_8 --rule build", "no program has a rule for mul in q8_8");
   expect_refused("check mul --rule doom --rounding floor", "excludes");
   expect_refused("check concat --rounding floor",
-                 "choose mul, div, sqrt, add, sub, from_binary64, ");
+                 "choose mul, div, sqrt, add, sub, mul_add, lerp, dot, from_binary64, ");
   expect_refused("check abs --rounding floor", "unknown operation");
   expect_refused("check add --rounding floor",
                  "--rounding applies only to results that are rounded");
-  expect_refused("check mul --rounding up", "half-up, half-away, half-even, floor, toward-zero");
+  expect_refused("check mul --rounding up",
+                 "half-up, half-away, half-even, floor, toward-zero, ceiling, faithful");
   expect_refused("check mul --rounding floor --overflow clamp",
                  "wrap, saturate, symmetric, maximum, minimum, de, any");
   expect_refused("check div --rounding floor --divide-by-zero wrap",

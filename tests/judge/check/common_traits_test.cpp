@@ -149,7 +149,7 @@ TraitCase odd_case(std::uint32_t operand, bool right) {
 }
 
 TEST(CheckCommon, ALineStatesBothCounts) {
-  CommonTraits common(Operation::sqrt, fixproof::cases::q16_16);
+  CommonTraits common(fixproof::cases::variant_of(Operation::sqrt, fixproof::cases::q16_16));
   for (std::uint32_t i = 0; i < 10; ++i) common.add(odd_case(0x1001 + 2 * i, false), false);
   for (std::uint32_t i = 0; i < 30; ++i) common.add(odd_case(0x1002 + 2 * i, true), true);
   for (std::uint32_t i = 0; i < 5; ++i) common.add(odd_case(0x2003 + 2 * i, true), true);
@@ -160,18 +160,18 @@ TEST(CheckCommon, ALineStatesBothCounts) {
 
 TEST(CheckCommon, NothingThatChanceExplains) {
   // Two odd operands prove nothing where a third of the right ones is odd: 1/9 is more than 1 %.
-  CommonTraits few(Operation::sqrt, fixproof::cases::q16_16);
+  CommonTraits few(fixproof::cases::variant_of(Operation::sqrt, fixproof::cases::q16_16));
   for (std::uint32_t i = 0; i < 2; ++i) few.add(odd_case(0x1001 + 2 * i, false), false);
   for (std::uint32_t i = 0; i < 30; ++i) few.add(odd_case(0x1001 + i % 3, true), true);
   EXPECT_EQ(few.lines(), Lines{"every wrong result is 1 ulp too low: all 2"});
   // A trait of all right cases tells nothing, however many there are.
-  CommonTraits all(Operation::sqrt, fixproof::cases::q16_16);
+  CommonTraits all(fixproof::cases::variant_of(Operation::sqrt, fixproof::cases::q16_16));
   for (std::uint32_t i = 0; i < 50; ++i) all.add(odd_case(0x1001 + 2 * i, i % 2 == 0), i % 2 == 0);
   EXPECT_EQ(all.lines(), Lines{"every wrong result is 1 ulp too low: all 25"});
 }
 
 TEST(CheckCommon, ASingleWrongCaseHasNothingInCommon) {
-  CommonTraits common(Operation::sqrt, fixproof::cases::q16_16);
+  CommonTraits common(fixproof::cases::variant_of(Operation::sqrt, fixproof::cases::q16_16));
   common.add(odd_case(3, false), false);
   common.add(odd_case(4, true), true);
   EXPECT_EQ(common.lines(), Lines());

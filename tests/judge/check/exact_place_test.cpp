@@ -7,14 +7,15 @@ namespace {
 
 using fixproof::cases::Operation;
 using fixproof::cases::q16_16;
+using fixproof::cases::variant_of;
 using fixproof::check::CaseKind;
 using Operands = std::vector<std::uint64_t>;
 
 void expect_place(Operation operation, const Operands& words, CaseKind kind,
                   const std::string& text, bool negative) {
-  const auto place = fixproof::check::exact_place(operation, q16_16, words);
+  const auto place = fixproof::check::exact_place(variant_of(operation, q16_16), words);
   EXPECT_EQ(place.kind(false), kind) << text;
-  EXPECT_EQ(fixproof::check::exact_text(operation, q16_16, words), text);
+  EXPECT_EQ(fixproof::check::exact_text(variant_of(operation, q16_16), words), text);
   EXPECT_EQ(place.negative, negative) << text;
 }
 
@@ -55,16 +56,18 @@ TEST(CheckPlace, OfRoots) {
 }
 
 TEST(CheckPlace, WithoutAResult) {
-  const auto zero = fixproof::check::exact_place(Operation::div, q16_16, Operands{0xffff0000, 0});
+  const auto zero =
+      fixproof::check::exact_place(variant_of(Operation::div, q16_16), Operands{0xffff0000, 0});
   EXPECT_EQ(zero.kind(false), CaseKind::no_result);
   EXPECT_TRUE(zero.negative);
-  EXPECT_EQ(fixproof::check::exact_place(Operation::sqrt, q16_16, Operands{0x80000000}).kind(false),
+  EXPECT_EQ(fixproof::check::exact_place(variant_of(Operation::sqrt, q16_16), Operands{0x80000000})
+                .kind(false),
             CaseKind::no_result);
 }
 
 TEST(CheckPlace, OverflowIsAKindOfItsOwn) {
-  const auto place =
-      fixproof::check::exact_place(Operation::mul, q16_16, Operands{0x1000000, 0x800000});
+  const auto place = fixproof::check::exact_place(variant_of(Operation::mul, q16_16),
+                                                  Operands{0x1000000, 0x800000});
   EXPECT_EQ(place.kind(true), CaseKind::overflow);
 }
 

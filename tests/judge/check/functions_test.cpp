@@ -13,18 +13,18 @@ using namespace fixproof::check;
 using fixproof::cases::Format;
 using fixproof::cases::format_named;
 using fixproof::cases::Operation;
+using fixproof::cases::variant_of;
 using oracle::Rounding;
 
 Rules rules_for(Operation operation, Rounding rounding = Rounding::half_up,
                 std::string_view format = "q16_16") {
-  return {.operation = operation,
+  return {.variant = variant_of(operation, format_named(format)),
           .rounding = rounding,
-          .overflow = Overflow::saturate,
-          .format = format_named(format)};
+          .overflow = Overflow::saturate};
 }
 
 Converted operands_of(const Rules& rules, std::string_view line) {
-  return parse_converted(line, variant_of(rules.operation, rules.format, rules.from));
+  return parse_converted(line, rules.variant);
 }
 
 Said expected_for(const Rules& rules, std::string_view line) {

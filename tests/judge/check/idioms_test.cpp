@@ -12,8 +12,9 @@ namespace {
 using namespace subjects;
 using fixproof::cases::Operation;
 
-constexpr Rules div_half_away{.operation = Operation::div, .rounding = oracle::Rounding::half_away};
-constexpr Rules root_nearest{.operation = Operation::sqrt,
+constexpr Rules div_half_away{.variant = {.operation = Operation::div},
+                              .rounding = oracle::Rounding::half_away};
+constexpr Rules root_nearest{.variant = {.operation = Operation::sqrt},
                              .no_result = fixproof::check::NoResult::any};
 
 /// Expects the line that says what the subject looks like, without its number of cases.
@@ -92,7 +93,7 @@ TEST(CheckIdioms, ALostCarry) {
 
 TEST(CheckIdioms, ALostCarryOfASum) {
   expect_idiom(
-      {.operation = Operation::add},
+      {.variant = {.operation = Operation::add}},
       [](auto a, auto b) {
         const bool carries = (a & 0xffff) + (b & 0xffff) > 0xffff;
         return word(a + b - (carries ? 65536 : 0));
@@ -122,12 +123,13 @@ TEST(CheckIdioms, OtherRemainders) {
   const auto down = [](std::int64_t a, std::int64_t b) {
     return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
   };
-  expect_idiom({.operation = Operation::fmod},
+  expect_idiom({.variant = {.operation = Operation::fmod}},
                divider([&](auto a, auto b) { return a - b * down(a, b); }),
                "a - b * floor(a / b), which has the sign of b");
-  expect_idiom({.operation = Operation::remainder}, divider([](auto a, auto b) { return a % b; }),
+  expect_idiom({.variant = {.operation = Operation::remainder}},
+               divider([](auto a, auto b) { return a % b; }),
                "a % b, the remainder of the truncated quotient");
-  expect_idiom({.operation = Operation::remainder},
+  expect_idiom({.variant = {.operation = Operation::remainder}},
                divider([&](auto a, auto b) { return a - b * away(a, b); }),
                "a - b * round(a / b), whose ties go away from zero");
 }

@@ -25,13 +25,13 @@ inline Said word(std::int64_t ulps) { return static_cast<std::uint32_t>(ulps); }
 inline Judge judged(const Rules& rules, const SubjectFunction& subject) {
   fixproof::check::CaseOptions options;
   options.cases = 60'000;
-  fixproof::check::GeneratedCases cases(fixproof::check::variant_of(rules.operation), options);
+  fixproof::check::GeneratedCases cases(rules.variant, options);
   Judge judge(rules, 3);
   fixproof::check::JudgedCase one;
-  const auto words = std::span(one.words).first(fixproof::cases::words_in(rules.operation));
+  const auto words = std::span(one.words).first(fixproof::cases::words_in(rules.variant.operation));
   std::array<std::uint32_t, 2> parts{};
   while (cases.next(std::span(parts).first(words.size()))) {
-    fixproof::check::join_words(parts, rules.format, words);
+    fixproof::check::join_words(parts, rules.variant.format, words);
     ++one.number;
     one.origin = "stream";
     one.said =
@@ -42,9 +42,9 @@ inline Judge judged(const Rules& rules, const SubjectFunction& subject) {
   return judge;
 }
 
-inline constexpr Rules mul_half_up{.operation = fixproof::cases::Operation::mul,
+inline constexpr Rules mul_half_up{.variant = {.operation = fixproof::cases::Operation::mul},
                                    .rounding = oracle::Rounding::half_up};
-inline constexpr Rules div_truncated{.operation = fixproof::cases::Operation::div,
+inline constexpr Rules div_truncated{.variant = {.operation = fixproof::cases::Operation::div},
                                      .rounding = oracle::Rounding::truncate};
 
 inline std::int64_t half_up(std::int64_t product) { return (product + 32768) >> 16; }

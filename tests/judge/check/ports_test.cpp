@@ -17,6 +17,7 @@ using namespace fixproof::check;
 using fixproof::rounding;
 using fixproof::cases::Format;
 using fixproof::cases::Operation;
+using fixproof::cases::variant_of;
 using port_cases::Pair;
 using port_cases::Pairs;
 
@@ -252,7 +253,7 @@ TEST(Ports, GeneralRulesAreTheRule) {
       const Converted three =
           parse_converted(fmt::format("{:08x} {:08x} {:08x}", words[0], words[1],
                                       static_cast<std::uint32_t>(pairs.next().b)),
-                          variant_of(Operation::mul_div));
+                          fixproof::cases::variant_of(Operation::mul_div, fixproof::cases::q16_16));
       const Operands operands = rule.operation == Operation::mul_div ? Operands(three) : two;
       if (!keeps(general, operands, result_of(rule, format, operands))) ++other;
     }
@@ -264,11 +265,12 @@ TEST(Ports, NamesAreOfOneRoutineEach) {
   std::set<std::pair<std::string_view, Operation>> names;
   for (const PortRule& rule : port_rules()) {
     EXPECT_TRUE(names.emplace(rule.name, rule.operation).second) << rule.name;
-    EXPECT_TRUE(rule.is_for(rule.operation, fixproof::cases::q16_16));
-    EXPECT_FALSE(rule.is_for(rule.operation, fixproof::cases::q8_8));
-    EXPECT_EQ(rule.is_for(rule.operation, fixproof::cases::format_named("q0_32")), rule.has_shift);
-    EXPECT_FALSE(rule.is_for(rule.operation, fixproof::cases::format_named("q32_0")));
-    EXPECT_FALSE(rule.is_for(rule.operation, fixproof::cases::format_named("u16_16")));
+    EXPECT_TRUE(rule.is_for(variant_of(rule.operation, fixproof::cases::q16_16)));
+    EXPECT_FALSE(rule.is_for(variant_of(rule.operation, fixproof::cases::q8_8)));
+    EXPECT_EQ(rule.is_for(variant_of(rule.operation, fixproof::cases::format_named("q0_32"))),
+              rule.has_shift);
+    EXPECT_FALSE(rule.is_for(variant_of(rule.operation, fixproof::cases::format_named("q32_0"))));
+    EXPECT_FALSE(rule.is_for(variant_of(rule.operation, fixproof::cases::format_named("u16_16"))));
   }
 }
 

@@ -70,7 +70,7 @@ TEST(JudgeClocks, OurListingsTakeWhatTheModelCounts) {
                            : key.routine == div    ? cases::Operation::div
                            : key.routine == cossin ? cases::Operation::cossin
                                                    : cases::Operation::xformvec;
-    cases::Variant variant = check::variant_of(operation, cases::q16_16);
+    cases::Variant variant = cases::variant_of(operation, cases::q16_16);
     if (operation == cases::Operation::cossin) variant.build.target = cases::Target::i386;
     const auto found =
         clocks_of(x86model::nasm_source(key.routine, key.target, key.build), "c", variant);
@@ -105,7 +105,7 @@ struct Expected {
 void expect_clocks(const std::string& source, const Expected& expected) {
   SCOPED_TRACE(source);
   const cases::Variant variant =
-      check::variant_of(cases::Operation::add, cases::format_named("q8_8"));
+      cases::variant_of(cases::Operation::add, cases::format_named("q8_8"));
   const RoutineClocks found = clocks_of(source, "ax, bx -> ax", variant);
   EXPECT_EQ(found.calls, judge::calls_to_inspect);
   const std::array<std::optional<Clocks>, 4> all{expected.i8088, expected.i286, expected.i386,
@@ -262,7 +262,7 @@ TEST(JudgeClocks, AFixedAddressOf32Bits) {
   if (unicorn_is_missing()) GTEST_SKIP() << judge::absence_on_unicorn();
   const RoutineClocks found =
       clocks_of("mov ecx, [0x100]\nadd ecx, [0x100]\nret", "eax, ebx -> eax",
-                check::variant_of(cases::Operation::add, cases::q16_16), 32);
+                cases::variant_of(cases::Operation::add, cases::q16_16), 32);
   EXPECT_EQ(found.on.at(2).clocks.least(), 4U + 6U + 13U);
   EXPECT_EQ(found.on.at(3).clocks.least(), 1U + 2U + 5U);
 }

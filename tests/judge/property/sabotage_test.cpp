@@ -8,15 +8,15 @@ using namespace fixproof;
 using fixproof::property::Subject;
 using oracle::Rounding;
 
-constexpr check::Rules mul_half_up{cases::Operation::mul, Rounding::half_up, check::Overflow::wrap,
-                                   check::NoResult::any};
-constexpr check::Rules div_truncated{cases::Operation::div, Rounding::truncate,
-                                     check::Overflow::wrap, check::NoResult::error};
+constexpr check::Rules mul_half_up{.variant = {.operation = cases::Operation::mul},
+                                   .no_result = check::NoResult::any};
+constexpr check::Rules div_truncated{.variant = {.operation = cases::Operation::div},
+                                     .rounding = Rounding::truncate};
 
 std::set<std::string_view> streams_that_fail(const Subject& subject) {
   std::set<std::string_view> names;
   for (const auto& [stream, cases] :
-       property::streams_of(subject.rules.operation, subject.rules.format)) {
+       property::streams_of(subject.rules.variant.operation, subject.rules.variant.format)) {
     // A thousand cases suffice for the other streams; the lattice is enumerated in full.
     const auto few =
         stream == cases::Stream::lattice ? cases : std::min<std::uint64_t>(cases, 1000);
@@ -78,7 +78,7 @@ TEST(PropertySabotage, AShiftInQ2_30) {
   const auto subject = property::subject<q2_30>(
       "shift", mul_half_up,
       [](std::int32_t a, std::int32_t b) { return low_word(std::int64_t{a} * b >> 30); });
-  EXPECT_EQ(subject.rules.format, cases::format_named("q2_30"));
+  EXPECT_EQ(subject.rules.variant.format, cases::format_named("q2_30"));
   EXPECT_TRUE(streams_that_fail(subject).contains("product_ties"));
   testing::internal::CaptureStderr();
   EXPECT_FALSE(property::property_holds<q2_30>(subject));
