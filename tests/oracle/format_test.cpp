@@ -33,6 +33,8 @@ double nearest(double n, double d, Rounding rule) {
       return std::nearbyint(exact);
     case Rounding::floor:
       return std::floor(exact);
+    case Rounding::ceiling:
+      return std::ceil(exact);
     case Rounding::truncate:
       break;
   }
@@ -40,7 +42,7 @@ double nearest(double n, double d, Rounding rule) {
 }
 
 constexpr Rounding rules[] = {Rounding::half_up, Rounding::half_away, Rounding::half_even,
-                              Rounding::floor, Rounding::truncate};
+                              Rounding::floor,   Rounding::truncate,  Rounding::ceiling};
 
 TEST(OracleFormat, EveryPairOfBytes) {
   for (const Format& format : {Format{8, 4, true}, Format{8, 7, true}, Format{8, 0, true},

@@ -19,6 +19,8 @@ bool defined_by_rule(int q, int n, int d, Rounding rule) {
       return error <= 0 && error > -d;
     case Rounding::truncate:
       return std::abs(error) < d && std::abs(q) * d <= std::abs(n);
+    case Rounding::ceiling:
+      return error >= 0 && error < d;
   }
   return false;
 }
@@ -42,6 +44,8 @@ TEST(OracleRounding, HalvesGoWhereTheRuleSays) {
   EXPECT_EQ(rounded(1, 2, Rounding::half_even), 0);
   EXPECT_EQ(rounded(3, 2, Rounding::floor), 1);
   EXPECT_EQ(rounded(3, 2, Rounding::truncate), 1);
+  EXPECT_EQ(rounded(3, 2, Rounding::ceiling), 2);
+  EXPECT_EQ(rounded(-3, 2, Rounding::ceiling), -1);
   EXPECT_EQ(rounded(-3, 2, Rounding::half_up), -1);
   EXPECT_EQ(rounded(-3, 2, Rounding::half_away), -2);
   EXPECT_EQ(rounded(-3, 2, Rounding::half_even), -2);
