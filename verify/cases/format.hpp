@@ -27,8 +27,8 @@ struct Format {
   /// The smallest positive magnitude that overflows a signed word.
   [[nodiscard]] constexpr std::int64_t limit() const { return std::int64_t{1} << (word_bits - 1); }
 
-  /// Returns the same format as another library describes it, such as the oracle, which this folder
-  /// must not know.
+  /// Returns the same format as another library describes it, such as the oracle. Its members have
+  /// this order.
   template <class Theirs>
   [[nodiscard]] constexpr Theirs as() const {
     return {word_bits, fraction_bits, is_signed};

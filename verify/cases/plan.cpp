@@ -10,6 +10,7 @@
 
 #include "support/usage_error.hpp"
 #include "verify/cases/conversion_makers.hpp"
+#include "verify/cases/edges.hpp"
 #include "verify/cases/format_makers.hpp"
 
 namespace fixproof::cases {
@@ -90,11 +91,9 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
               {Stream::root_ties, sample}};
     case Operation::sin:
     case Operation::cos:
-      return {{Stream::lattice},
-              {Stream::uniform, sample},
-              {Stream::scaled, sample},
-              {Stream::quarter_turns, sample},
-              {Stream::hard_angles}};
+      return {{Stream::lattice},        {Stream::uniform, sample},
+              {Stream::scaled, sample}, {Stream::quarter_turns, sample},
+              {Stream::hard_angles},    {Stream::edges}};
     case Operation::decimal:
     case Operation::binary64:
     case Operation::add:
@@ -134,7 +133,9 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
     default:  // any other function
       break;
   }
-  return {{Stream::lattice}, {Stream::uniform, sample}, {Stream::scaled, sample}};
+  std::vector<Share> shares{{Stream::lattice}, {Stream::uniform, sample}, {Stream::scaled, sample}};
+  if (has_edges(operation)) shares.push_back({Stream::edges});
+  return shares;
 }
 
 /// Whether a conversion, or an operation of a format that no routine has, offers cases of a stream.

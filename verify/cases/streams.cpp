@@ -9,6 +9,7 @@
 
 #include "verify/cases/conversion_makers.hpp"
 #include "verify/cases/draw.hpp"
+#include "verify/cases/edges.hpp"
 #include "verify/cases/format_makers.hpp"
 #include "verify/cases/function_makers.hpp"
 #include "verify/cases/stream_makers.hpp"
@@ -17,7 +18,7 @@ namespace fixproof::cases {
 
 namespace {
 
-constexpr std::array<std::string_view, 28> stream_names{"uniform",
+constexpr std::array<std::string_view, 29> stream_names{"uniform",
                                                         "scaled",
                                                         "lattice",
                                                         "every",
@@ -44,6 +45,7 @@ constexpr std::array<std::string_view, 28> stream_names{"uniform",
                                                         "large_ratios",
                                                         "whole_lengths",
                                                         "near_length_ties",
+                                                        "edges",
                                                         "extremes"};
 
 [[noreturn]] void refuse(Stream stream, const Variant& variant) {
@@ -100,6 +102,13 @@ void count_every(std::size_t arity, const Format& format, std::uint64_t first,
   }
 }
 
+/// Writes the cases next to edges, again and again.
+void count_edges(const Variant& v, std::uint64_t first, std::span<std::uint32_t> words) {
+  const auto edges = edge_words(v.operation, operand_format(v));
+  const std::size_t start = first * words_in(v.operation);
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = edges[(start + i) % edges.size()];
+}
+
 /// Writes each hard angle, then its negative.
 void count_hard_angles(const Format& format, std::uint64_t first, std::span<std::uint32_t> words) {
   const auto angles = hard_angles();
@@ -151,6 +160,8 @@ bool is_stream_of(Stream stream, const Variant& variant) {
       return operation == Operation::hypot3;
     case Stream::root_ties:
       return operation == Operation::sqrt;
+    case Stream::edges:
+      return has_edges(operation) && is_in_format(operation, operand_format(variant));
     case Stream::value_ties:
     case Stream::near_value_ties:
       return false;
@@ -191,6 +202,10 @@ std::vector<std::uint64_t> boundary_lattice(int word_bits) {
 
 std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant) {
   if (stream == Stream::hard_angles) return 2 * hard_angles().size();
+  if (stream == Stream::edges) {
+    if (!is_stream_of(stream, variant)) refuse(stream, variant);
+    return edge_words(variant.operation, operand_format(variant)).size() / words_in(variant.operation);
+  }
   if (stream != Stream::lattice && stream != Stream::every) return std::nullopt;
   const std::size_t arity = words_in(variant.operation);
   const int bits = operand_bits(variant);
@@ -349,6 +364,7 @@ void make_cases(Stream stream, const Variant& variant, std::uint64_t seed, std::
                 std::span<std::uint32_t> words) {
   const Operation operation = variant.operation;
   if (!is_stream_of(stream, variant)) refuse(stream, variant);
+  if (stream == Stream::edges) return count_edges(variant, first, words);
   // The key leaves out the variant's rules, so all variants of an operation get the same cases.
   const std::uint64_t key =
       mix(seed) + 0x100U * row_of(operation).seed + static_cast<std::uint64_t>(stream);

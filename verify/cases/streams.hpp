@@ -1,6 +1,7 @@
 /// @file
 /// The streams of cases. Each stream looks for one kind of defect. Case i of a stream is a pure
-/// function of the operation and format of the variant, the seed, the stream and i.
+/// function of the operation and format of the variant, the seed, the stream and i. Enumerated
+/// streams do not depend on the seed.
 #pragma once
 
 #include <cstdint>
@@ -57,6 +58,8 @@ enum class Stream : std::uint8_t {
   // hypot of three numbers.
   whole_lengths,     ///< the length is a whole number of units, or one operand is a unit off
   near_length_ties,  ///< the sum of squares is as near to the square of a half as it can be
+  // Enumerated: functions of one or two real numbers.
+  edges,  ///< next to poles, zeros, and the ends of the domain and of the range; see edges.hpp
   // mul_add, lerp and dot, which also have product_ties and lattice_words.
   extremes,  ///< every operand is an end of the range or next to 0, often all factors the same
 };

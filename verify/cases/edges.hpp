@@ -1,0 +1,30 @@
+/// @file
+/// Operands where a function of real numbers changes from one kind of result to another.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "verify/cases/format.hpp"
+#include "verify/cases/operation.hpp"
+
+namespace fixproof::cases {
+
+/// Tells whether edge_words() has words of the operation: it is a function of one or two real
+/// numbers.
+constexpr bool has_edges(Operation operation) {
+  return is_function(operation) && words_in(operation) <= 2;
+}
+
+/// Returns the operands of every case, words_in(operation) words for each, without a case twice.
+/// An edge lies between two neighbouring operands of which one is outside the domain, or whose
+/// results are on different sides of zero or of an end of the range. The cases are the operands
+/// within two words of an edge, and for an angle also those within two words of a multiple of a
+/// quarter turn: the 64 multiples next to zero and the last 64 on each side. The oracle finds the
+/// edges between neighbours of boundary_lattice(). Of two operands, either is from the lattice.
+///
+/// The words are computed once for each operation and format, and live as long as the program.
+/// @pre has_edges(operation) and is_in_format(operation, format)
+std::span<const std::uint32_t> edge_words(Operation operation, const Format& format);
+
+}  // namespace fixproof::cases
