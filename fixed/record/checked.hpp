@@ -110,9 +110,33 @@ FIXPROOF_RECORDED_MIXED(add, add_to)
 FIXPROOF_RECORDED_MIXED(subtract, subtract_to)
 FIXPROOF_RECORDED_MIXED(multiply, multiply_to)
 FIXPROOF_RECORDED_MIXED(divide, divide_to)
+FIXPROOF_RECORDED_MIXED(hypot, hypot)
 #undef FIXPROOF_RECORDED_MIXED
 // NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
 /// @endcond
+
+/// @name Functions with a result of another type
+/// \{
+
+/// As those of plain numbers.
+template <class To, any_number A, any_number B, any_number C>
+requires(record::detail::is_recorded<A> || record::detail::is_recorded<B> ||
+         record::detail::is_recorded<C>) [[nodiscard]] constexpr To
+    hypot(A x, B y, C z, record::place from = FIXPROOF_HERE) noexcept(To::never_throws) {
+  using N = typename record::detail::plain_type_of<To>::type;
+  return record::detail::logged<record::kind::hypot, N>(
+      from, [](auto a, auto b, auto c) { return fixproof::hypot<N>(a, b, c); },
+      record::detail::plain(x), record::detail::plain(y), record::detail::plain(z));
+}
+template <class To, class N>
+requires any_number<To>
+[[nodiscard]] constexpr To sqrt(recorded_number<N> x,
+                                record::place from = FIXPROOF_HERE) noexcept(To::never_throws) {
+  using result = typename record::detail::plain_type_of<To>::type;
+  return record::detail::logged<record::kind::sqrt, result>(
+      from, [](N a) { return fixproof::sqrt<result>(a); }, x.value_);
+}
+/// \}
 
 /// As ratio() of plain numbers.
 template <class R, detail::integer Int>
@@ -161,6 +185,14 @@ class accumulator<recorded_number<N>> {
       noexcept(N::multiply_never_throws) {
     return record::detail::logged<record::kind::accumulator_result, N>(
         from, [this] { return sum_.result(); });
+  }
+  /// The sum as a To, rounded once.
+  template <any_number To>
+  [[nodiscard]] constexpr To result(record::place from = FIXPROOF_HERE) const
+      noexcept(To::multiply_never_throws) {
+    using plain = typename record::detail::plain_type_of<To>::type;
+    return record::detail::logged<record::kind::accumulator_result, plain>(
+        from, [this] { return sum_.template result<plain>(); });
   }
 
  private:
