@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "fixed/detail/arctangent.hpp"
+#include "fixed/detail/assert.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/hardware.hpp"
@@ -33,7 +34,9 @@ constexpr scaled_root root_of(std::uint64_t n) noexcept {
   n <<= 2 * doublings;
   const std::int64_t root = nearest_sqrt_of_word(n);
   const auto square = static_cast<std::uint64_t>(root) * static_cast<std::uint64_t>(root);
+  // Modulo 2^64, which is exact, because the rest is at most 2^32.
   const auto rest = static_cast<std::int64_t>(n - square);
+  FIXED_ASSERT(rest <= root && -rest <= root);
   const std::int64_t fraction = rest * (std::int64_t{1} << 30) / root;
   return {(static_cast<std::uint64_t>(root) << 31) + static_cast<std::uint64_t>(fraction),
           doublings};
@@ -47,6 +50,7 @@ constexpr std::uint64_t quick_root(std::uint64_t n, int shift) noexcept {
       // Off by less than 2^-52 of the root in every rounding mode.
       const double root = sqrt(static_cast<double>(static_cast<std::int64_t>(n)));
       const auto scale = static_cast<double>(std::int64_t{1} << shift);
+      // At most 2^32.
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(root * scale));
     }
   }
@@ -69,7 +73,9 @@ constexpr std::int64_t careful_triangle_angle(std::uint64_t known, std::uint64_t
   // Both sides in units of 2^-57 of the hypotenuse. The root is off by 2 units, and moves the angle
   // by at most as much.
   constexpr int bits = 57;
+  // As squares is below 4^fraction_bits, doublings + fraction_bits is at least 32: a right shift.
   const scaled_root root = root_of(squares);
+  FIXED_ASSERT(root.doublings + fraction_bits >= 32);
   const std::uint64_t other = root.root >> (31 + root.doublings + fraction_bits - bits);
   const std::uint64_t side = known << (bits - fraction_bits);
   const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, is_left);

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "fixed/detail/assert.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/cosine.hpp"
 #include "fixed/detail/function_kinds.hpp"
@@ -104,6 +105,7 @@ constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
                                        int fraction_bits) noexcept {
   const std::uint64_t phase = phase_of<Unit>(raw, fraction_bits) + (std::uint64_t{ahead} << 62);
   if (fraction_bits <= quick_bits) {
+    // Modulo half a turn; the sign is that of the half.
     const auto from_peak = static_cast<std::int32_t>((phase + turns_bias - quarter_turn) >> 31);
     const nearest_ends quick =
         nearest_within(static_cast<std::int64_t>(fast_cosine(from_peak)),
@@ -178,6 +180,7 @@ constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, bool is
     const int128 tangent = truncated_ratio(int128{a} << 62, int128{b});
     // Errors e of a and of b make e / b + e a / b^2 < 1.1 e (1 + a/b)^2.
     const std::int64_t bound = static_cast<std::int64_t>(tangent >> 62) + 2;
+    FIXED_ASSERT(tangent >> 62 < int128{1} << 26 && bound >= 2);
     const nearest_ends ends =
         // NOLINTNEXTLINE(bugprone-implicit-widening-of-multiplication-result): bound < 2^27
         nearest_within(tangent, int128{10 * bound} * int128{bound}, 62 - fraction_bits);
@@ -205,7 +208,9 @@ constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noex
   const std::uint64_t b = chosen(tangent.is_steep, tangent.n, tangent.d);
   if (fraction_bits <= quick_bits && b >> 46 != 0) {
     // In units of 2^-32. The bits that b loses make a / b too high by less than 2.2 (1 + a/b)^2.
+    // At most 2^48, because a is at most 2^62 + 8 and b at least 2^46.
     const auto quick = static_cast<std::int64_t>((a << 1) / (b >> 31));
+    FIXED_ASSERT(a >> 63 == 0 && quick >= 0 && quick >> 49 == 0);
     const std::int64_t bound = (quick >> 32) + 2;
     const nearest_ends ends = nearest_within(quick, 3 * bound * bound, 32 - fraction_bits);
     if (ends.agree()) [[likely]]
