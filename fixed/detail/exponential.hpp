@@ -237,12 +237,13 @@ constexpr std::int64_t careful_logarithm(const scaled_word& x, int fraction_bits
   return nearest_units(product(precise_logarithm(x), scale_of<Base>.precise), fraction_bits);
 }
 
-/// The logarithm of raw / 2^fraction_bits in units of 2^-fraction_bits, rounded to nearest. There
+/// The logarithm of raw / 2^operand_bits in units of 2^-fraction_bits, rounded to nearest. There
 /// are no ties: a logarithm of a rational number is whole or irrational in these bases.
 /// @pre 0 < raw < 2^33
 template <logarithm_base Base>
-constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int fraction_bits) noexcept {
-  const scaled_word x = scaled(raw, fraction_bits);
+constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int operand_bits,
+                                         int fraction_bits) noexcept {
+  const scaled_word x = scaled(raw, operand_bits);
   if (fraction_bits <= quick_bits) {
     const auto quick = logarithm_within<Base, quick_logarithm_terms>(x, fraction_bits);
     if (quick.agree()) [[likely]]

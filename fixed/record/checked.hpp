@@ -115,29 +115,6 @@ FIXPROOF_RECORDED_MIXED(hypot, hypot)
 // NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
 /// @endcond
 
-/// @name Functions with a result of another type
-/// \{
-
-/// As those of plain numbers.
-template <class To, any_number A, any_number B, any_number C>
-requires(record::detail::is_recorded<A> || record::detail::is_recorded<B> ||
-         record::detail::is_recorded<C>) [[nodiscard]] constexpr To
-    hypot(A x, B y, C z, record::place from = FIXPROOF_HERE) noexcept(To::never_throws) {
-  using N = typename record::detail::plain_type_of<To>::type;
-  return record::detail::logged<record::kind::hypot, N>(
-      from, [](auto a, auto b, auto c) { return fixproof::hypot<N>(a, b, c); },
-      record::detail::plain(x), record::detail::plain(y), record::detail::plain(z));
-}
-template <class To, class N>
-requires any_number<To>
-[[nodiscard]] constexpr To sqrt(recorded_number<N> x,
-                                record::place from = FIXPROOF_HERE) noexcept(To::never_throws) {
-  using result = typename record::detail::plain_type_of<To>::type;
-  return record::detail::logged<record::kind::sqrt, result>(
-      from, [](N a) { return fixproof::sqrt<result>(a); }, x.value_);
-}
-/// \}
-
 /// As ratio() of plain numbers.
 template <class R, detail::integer Int>
 requires record::detail::is_recorded<R>

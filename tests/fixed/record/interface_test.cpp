@@ -329,6 +329,37 @@ TYPED_TEST(Functions, OfAtMost32Bits) {
   RECORDS(sin_cos_of_turns(a));
 }
 
+TYPED_TEST(Functions, ResultsInAnotherFormat) {
+  RECORDS(sin<Other<T>>(a));
+  RECORDS(cos<Other<T>>(a));
+  RECORDS(tan<Other<T>>(a));
+  RECORDS(sin_of_degrees<Other<T>>(a));
+  RECORDS(cos_of_degrees<Other<T>>(a));
+  RECORDS(tan_of_degrees<Other<T>>(a));
+  RECORDS(sin_of_turns<Other<T>>(a));
+  RECORDS(cos_of_turns<Other<T>>(a));
+  RECORDS(tan_of_turns<Other<T>>(a));
+  RECORDS(sin_cos<Other<T>>(a));
+  RECORDS(sin_cos_of_degrees<Other<T>>(a));
+  RECORDS(sin_cos_of_turns<Other<T>>(a));
+  RECORDS(exp<Other<T>>(a));
+  RECORDS(exp2<Other<T>>(a));
+  RECORDS(expm1<Other<T>>(a));
+  RECORDS(sinh<Other<T>>(a));
+  RECORDS(cosh<Other<T>>(a));
+  RECORDS(tanh<Other<T>>(a));
+  RECORDS(log<Other<T>>(a));
+  RECORDS(log1p<Other<T>>(a));
+  RECORDS(log2<Other<T>>(a));
+  RECORDS(log10<Other<T>>(a));
+  RECORDS(atan<Other<T>>(a));
+  RECORDS(asin<Other<T>>(a));
+  RECORDS(acos<Other<T>>(a));
+  RECORDS(atan2<Other<T>>(a, b));
+  RECORDS(sin<T>(a));
+  RECORDS(atan2<T>(a, b));
+}
+
 // The rest of the interface.
 using R = recorded<q16_16>;
 static_assert(sizeof(R) == sizeof(q16_16) && std::is_trivially_copyable_v<R>);
