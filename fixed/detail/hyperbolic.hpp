@@ -39,7 +39,7 @@ template <std::size_t Terms>
 constexpr std::int64_t falling_exponential(std::int64_t x) noexcept {
   const binary_exponent exponent = exponent_of<exponential_base::e>(-x);
   const std::int64_t shift = 1 - exponent.whole;
-  // The power is below 2^64.
+  // The power is below 2^64, and its half below 2^63.
   return static_cast<std::int64_t>(power_of_two<Terms>(exponent.fraction) >> 1 >>
                                    chosen(shift < 64, shift - 1, std::int64_t{63}));
 }
