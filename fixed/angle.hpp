@@ -27,17 +27,20 @@ namespace fixproof {
 
 namespace detail::FIXED_FUNCTIONS {
 
-template <class Number, class... Operands>
-constexpr Number angle_of(std::int64_t y, std::int64_t x, const char* function,
-                          Operands... operands) noexcept(Number::never_throws) {
-  return limited<Number>(nearest_angle(y, x, Number::fraction_bits), function, operands...);
+/// The angle of a vector, as a To.
+template <class To, class... Operands>
+constexpr To angle_of(std::int64_t y, std::int64_t x, const char* function,
+                      Operands... operands) noexcept(To::never_throws) {
+  return limited<To>(nearest_angle(y, x, To::fraction_bits), function, operands...);
 }
 
-template <triangle_side Side, class Number>
-constexpr Number triangle_angle(Number x, const char* function) noexcept(Number::never_throws) {
+/// The arcsine or arccosine, as a To.
+template <triangle_side Side, class To, class Number>
+constexpr To triangle_angle(Number x, const char* function) noexcept(To::never_throws) {
   constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
-  if (x.raw() > one || x.raw() < -one) return outside_domain<Number>(0, function, x);
-  return limited<Number>(nearest_triangle_angle<Side>(x.raw(), Number::fraction_bits), function, x);
+  if (x.raw() > one || x.raw() < -one) return outside_domain<To>(0, function, x);
+  return limited<To>(
+      nearest_triangle_angle<Side>(x.raw(), Number::fraction_bits, To::fraction_bits), function, x);
 }
 
 }  // namespace detail::FIXED_FUNCTIONS
@@ -75,7 +78,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> asin(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(asin, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::sine>(x, "asin");
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::sine, number<Raw, F, P>>(
+      x, "asin");
 }
 
 /// The angle whose cosine is x, from 0 to pi. Outside -1 to 1, see asin().
@@ -85,7 +89,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> acos(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(acos, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::cosine>(x, "acos");
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::cosine, number<Raw, F, P>>(
+      x, "acos");
 }
 
 /// @cond

@@ -42,40 +42,45 @@ constexpr std::int64_t exponent_units(Number x) noexcept {
          (std::int64_t{1} << (32 - Number::fraction_bits));
 }
 
-/// The exponential of x, less `less` ulps.
-template <exponential_base Base, class Number>
-constexpr Number exponential(Number x, std::int64_t less,
-                             const char* function) noexcept(Number::never_throws) {
-  return limited<Number>(
-      nearest_exponential<Base, ties_of<Number>>(exponent_units(x), Number::fraction_bits) - less,
-      function, x);
+/// The exponential of x as a To, less `less` ulps of To.
+template <exponential_base Base, class To, class Number>
+constexpr To exponential(Number x, std::int64_t less,
+                         const char* function) noexcept(To::never_throws) {
+  return limited<To>(
+      nearest_exponential<Base, ties_of<To>>(exponent_units(x), To::fraction_bits) - less, function,
+      x);
 }
 
-/// The logarithm of x plus `more` ulps.
-template <logarithm_base Base, class Number>
-constexpr Number logarithm(Number x, std::int64_t more,
-                           const char* function) noexcept(Number::never_throws) {
-  using raw = typename Number::raw_type;
+/// The logarithm of x plus `more` ulps of x, as a To.
+template <logarithm_base Base, class To, class Number>
+constexpr To logarithm(Number x, std::int64_t more,
+                       const char* function) noexcept(To::never_throws) {
   const std::int64_t sum = x.raw() + more;
   if (sum <= 0) {
-    return outside_domain<Number>((std::numeric_limits<raw>::min)(), function, x);
+    using limits = std::numeric_limits<typename To::raw_type>;
+    return outside_domain<To>((limits::min)(), function, x);
   }
-  return limited<Number>(
-      nearest_logarithm<Base>(static_cast<std::uint64_t>(sum), Number::fraction_bits), function, x);
+  return limited<To>(nearest_logarithm<Base>(static_cast<std::uint64_t>(sum), Number::fraction_bits,
+                                             To::fraction_bits),
+                     function, x);
 }
 
-/// sinh or cosh of the magnitude of x.
-template <hyperbola Function, class Number>
-constexpr std::int64_t hyperbolic(Number x) noexcept {
+/// sinh or cosh of x, as a To.
+template <hyperbola Function, class To, class Number>
+constexpr To hyperbolic(Number x, const char* function) noexcept(To::never_throws) {
   const std::int64_t units = exponent_units(x);
-  return nearest_hyperbolic<Function>(units < 0 ? -units : units, Number::fraction_bits);
+  const std::int64_t ulps =
+      nearest_hyperbolic<Function>(units < 0 ? -units : units, To::fraction_bits);
+  return limited<To>(Function == hyperbola::sine && units < 0 ? -ulps : ulps, function, x);
 }
 
-/// tanh of the magnitude of x.
-template <class Number>
-constexpr std::int64_t hyperbolic_tangent(Number x) noexcept {
+/// tanh of x, as a To.
+template <class To, class Number>
+constexpr To hyperbolic_tangent(Number x) noexcept(To::never_throws) {
   const std::int64_t units = exponent_units(x);
-  return nearest_hyperbolic_tangent(units < 0 ? -units : units, Number::fraction_bits);
+  const std::int64_t ulps =
+      nearest_hyperbolic_tangent(units < 0 ? -units : units, To::fraction_bits);
+  return limited<To>(units < 0 ? -ulps : ulps, "tanh", x);
 }
 
 }  // namespace detail::FIXED_FUNCTIONS
@@ -90,7 +95,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> exp2(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(exp2, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::two>(x, 0, "exp2");
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::two, number<Raw, F, P>>(
+      x, 0, "exp2");
 }
 
 /// e to the power of x.
@@ -100,7 +106,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> exp(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(exp, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e>(x, 0, "exp");
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, number<Raw, F, P>>(
+      x, 0, "exp");
 }
 
 /// e to the power of x, minus 1.
@@ -110,8 +117,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> expm1(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(expm1, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e>(x, std::int64_t{1} << F,
-                                                                           "expm1");
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, number<Raw, F, P>>(
+      x, std::int64_t{1} << F, "expm1");
 }
 
 /// The natural logarithm. For x <= 0 it throws a domain_error under overflow::trap, and is the
@@ -122,7 +129,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(log, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e>(x, 0, "log");
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, number<Raw, F, P>>(x, 0,
+                                                                                          "log");
 }
 
 /// The natural logarithm of 1 + x. For x <= -1, see log().
@@ -132,8 +140,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log1p(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(log1p, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e>(x, std::int64_t{1} << F,
-                                                                       "log1p");
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, number<Raw, F, P>>(
+      x, std::int64_t{1} << F, "log1p");
 }
 
 /// The logarithm to base 2. For x <= 0, see log().
@@ -143,7 +151,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log2(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(log2, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::two>(x, 0, "log2");
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::two, number<Raw, F, P>>(x, 0,
+                                                                                            "log2");
 }
 
 /// The logarithm to base 10. For x <= 0, see log().
@@ -153,7 +162,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> log10(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(log10, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::ten>(x, 0, "log10");
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::ten, number<Raw, F, P>>(
+      x, 0, "log10");
 }
 
 /// The hyperbolic sine, (e^x - e^-x) / 2.
@@ -163,8 +173,7 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> sinh(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(sinh, number<Raw, F, P>);
-  const std::int64_t ulps = detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::sine>(x);
-  return detail::limited<number<Raw, F, P>>(x.raw() < 0 ? -ulps : ulps, "sinh", x);
+  return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::sine, number<Raw, F, P>>(x, "sinh");
 }
 
 /// The hyperbolic cosine, (e^x + e^-x) / 2.
@@ -174,8 +183,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> cosh(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(cosh, number<Raw, F, P>);
-  return detail::limited<number<Raw, F, P>>(
-      detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::cosine>(x), "cosh", x);
+  return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::cosine, number<Raw, F, P>>(x,
+                                                                                           "cosh");
 }
 
 /// The hyperbolic tangent, sinh(x) / cosh(x).
@@ -185,8 +194,7 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tanh(number<Raw, F, P> x) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(tanh, number<Raw, F, P>);
-  const std::int64_t ulps = detail::FIXED_FUNCTIONS::hyperbolic_tangent(x);
-  return detail::limited<number<Raw, F, P>>(x.raw() < 0 ? -ulps : ulps, "tanh", x);
+  return detail::FIXED_FUNCTIONS::hyperbolic_tangent<number<Raw, F, P>>(x);
 }
 
 /// @cond

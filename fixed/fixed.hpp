@@ -46,6 +46,7 @@
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 #include "fixed/power.hpp"
+#include "fixed/results.hpp"
 #include "fixed/sine.hpp"
 #include "fixed/traits.hpp"
 #include "fixed/trigonometry.hpp"

@@ -14,6 +14,7 @@
 #include "fixed/detail/exact.hpp"
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/raise.hpp"
+#include "fixed/detail/result.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/square_root.hpp"
 #include "fixed/detail/wide_sum.hpp"
@@ -257,6 +258,38 @@ requires std::same_as<detail::element_t<A>, detail::element_t<B>>
         detail::shift_right<rules.multiply>(sum, bits),
         [terms] { detail::raise<overflow_error>("overflow", "dot", detail::term_count{terms}); }));
   }
+}
+
+/// The sum of a[i] * b[i] as a To, exact until it is rounded once by policy::multiply of To. The
+/// ranges may have numbers of two formats. The shorter range sets the length. Only the final sum
+/// can overflow; the policy of To handles it, as for products.
+///
+///     constexpr q1_31 a[]{q1_31(-1), q1_31(0.5)};
+///     constexpr q16_16 b[]{q16_16(-300), q16_16(-299)};
+///     static_assert(dot<q32_32>(a, b) == q32_32(150.5));
+template <class To, detail::number_range A, detail::number_range B>
+requires detail::is_plain_number<To> && detail::is_plain_number<detail::element_t<A>> &&
+    detail::is_plain_number<detail::element_t<B>>
+[[nodiscard]] constexpr To dot(const A& a, const B& b) noexcept(To::multiply_never_throws) {
+  using left = detail::element_t<A>;
+  using right = detail::element_t<B>;
+  constexpr int product_bits =
+      detail::signed_bits<typename left::raw_type> + detail::signed_bits<typename right::raw_type>;
+  // No range has 2^62 terms. Each is at most 2^(product_bits - 2).
+  constexpr int bits = product_bits + 62;
+  using product = detail::signed_t<product_bits>;
+  using wide = detail::signed_t<bits>;
+
+  const auto* x = std::data(a);
+  const auto* y = std::data(b);
+  const std::size_t terms = std::size(a) < std::size(b) ? std::size(a) : std::size(b);
+  wide sum{0};
+  for (std::size_t i = 0; i < terms; ++i) {
+    sum = sum + wide{product{x[i].raw()} * product{y[i].raw()}};
+  }
+  return To::from_raw(detail::narrow<To::rules.product_range(), typename To::raw_type>(
+      detail::rescaled<To, left::fraction_bits + right::fraction_bits, bits>(sum),
+      [terms] { detail::raise<overflow_error>("overflow", "dot", detail::term_count{terms}); }));
 }
 
 /// @cond

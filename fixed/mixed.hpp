@@ -8,6 +8,7 @@
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/raise.hpp"
+#include "fixed/detail/result.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/number.hpp"
@@ -15,27 +16,6 @@
 namespace fixproof {
 
 namespace detail {
-
-/// The exact value * 2^-FractionBits in units of To, rounded by policy::multiply.
-/// @tparam Bits the width of the value
-template <class To, int FractionBits, int Bits, class Wide>
-constexpr auto rescaled(const Wide& value) noexcept {
-  constexpr int up = To::fraction_bits - FractionBits;
-  using wide = signed_t<larger(signed_bits<typename To::raw_type>, Bits + larger(up, 1))>;
-  return shift_right<To::rules.multiply>(static_cast<wide>(value) << larger(up, 0), larger(-up, 0));
-}
-
-/// Applies the rule O to a result in units of To.
-template <class To, overflow O, class Wide, class A, class B>
-constexpr To narrowed_to(const Wide& value, const char* operation, A a,
-                         B b) noexcept(O != overflow::trap) {
-  using raw = typename To::raw_type;
-  return To::from_raw(narrow<O, raw>(value, [&] {
-    raise<overflow_error>("overflow", operation,
-                          operand<typename A::raw_type, A::fraction_bits>{a.raw()},
-                          operand<typename B::raw_type, B::fraction_bits>{b.raw()});
-  }));
-}
 
 /// The bits of a sum of numbers of two formats, with the sign.
 template <class A, int FA, class B, int FB>

@@ -3,8 +3,8 @@
 ///
 /// Each result is the number nearest to the exact value, under every policy. If the policy rounds
 /// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
-/// an overflow_error under overflow::trap. Under every other policy it saturates. reciprocal() and
-/// hypot() take every format, the others only formats of at most 32 bits.
+/// an overflow_error under overflow::trap. Under every other policy it saturates. reciprocal(),
+/// hypot() and sqrt<To>() take every format, the others only formats of at most 32 bits.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,11 @@
 
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"
+#include "fixed/detail/overflow.hpp"
+#include "fixed/detail/raise.hpp"
+#include "fixed/detail/result.hpp"
 #include "fixed/detail/rounding.hpp"
+#include "fixed/detail/scaled_root.hpp"
 #include "fixed/detail/square_root.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/detail/variant.hpp"
@@ -44,6 +48,35 @@ constexpr Number length(Coordinates... of) noexcept(Number::never_throws) {
     return limited<Number>(nearest_sqrt_by_pairs<bits + 2>((square(wide{of.raw()}) + ...)), "hypot",
                            of...);
   }
+}
+
+/// The root of a sum of squares as a To, to nearest. The numbers of the sum are brought to the
+/// highest of their fraction bits.
+template <class To, class... Coordinates>
+constexpr To length_to(Coordinates... of) noexcept(To::never_throws) {
+  constexpr int fraction = [] {
+    int most = 0;
+    ((most = larger(most, Coordinates::fraction_bits)), ...);
+    return most;
+  }();
+  // The lowest number has the largest square, at most 4^bits. So three squares are below 4^(bits +
+  // 1).
+  constexpr int bits = [] {
+    int most = 0;
+    ((most = larger(most, std::numeric_limits<typename Coordinates::raw_type>::digits + fraction -
+                              Coordinates::fraction_bits)),
+     ...);
+    return most;
+  }();
+  constexpr int sum_bits = 2 * bits + 2;
+  constexpr int shift = 2 * (To::fraction_bits - fraction);
+  using factor = signed_t<2 * bits + 2>;
+  using wide =
+      signed_t<larger(signed_bits<typename To::raw_type>, sum_bits + larger(shift, 1) + 4)>;
+  const auto square = [](const factor& x) { return wide{x * x}; };
+  const wide sum = (square(factor{of.raw()} << (fraction - Coordinates::fraction_bits)) + ...);
+  return narrowed_to<To, function_range<To::rules.range>>(
+      nearest_scaled_sqrt<ties_of<To>, shift, sum_bits>(sum), "hypot", of...);
 }
 
 /// The ulps of x^y for x < 0 and a whole y, or for x > 0.
@@ -144,6 +177,56 @@ template <class Raw, int F, policy P>
     number<Raw, F, P> x, number<Raw, F, P> y,
     number<Raw, F, P> z) noexcept(number<Raw, F, P>::never_throws) {
   return detail::FIXED_FUNCTIONS::length<number<Raw, F, P>>(x, y, z);
+}
+
+/// The square root as a To: the To nearest to the exact root, for every x. If the policy of To
+/// rounds products to nearest, ties follow that rule; otherwise they go up. The root of a negative
+/// number is 0. A root out of range saturates. Under overflow::trap in the policy of To, the first
+/// throws a domain_error and the second an overflow_error.
+///
+///     static_assert(sqrt<q2_30>(q16_16(2)).raw() == 1518500250);  // 1518500249.99
+///     static_assert(sqrt<q16_16>(q32_0(2)).raw() == 92682);       // 92681.9
+template <class To, class Raw, int F, policy P>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To sqrt(number<Raw, F, P> x) noexcept(To::never_throws) {
+  constexpr overflow range = detail::function_range<To::rules.range>;
+  if constexpr (range == overflow::trap) {
+    if (x.raw() < 0) {
+      detail::raise<domain_error>("domain error", "sqrt", detail::operand<Raw, F>{x.raw()});
+    }
+  }
+  constexpr int shift = 2 * To::fraction_bits - F;
+  constexpr int bits = std::numeric_limits<Raw>::digits;
+  using wide = detail::signed_t<detail::larger(detail::signed_bits<typename To::raw_type>,
+                                               bits + detail::larger(shift, 1) + 4)>;
+  const Raw positive = x.raw() < 0 ? Raw{0} : x.raw();
+  return detail::narrowed_to<To, range>(
+      detail::nearest_scaled_sqrt<detail::ties_of<To>, shift, bits>(wide{positive}), "sqrt", x);
+}
+
+/// The length of the vector (x, y) as a To: the To nearest to the exact length, for every x and y.
+/// If the policy of To rounds products to nearest, ties follow that rule; otherwise they go up. A
+/// length out of range throws an overflow_error under overflow::trap in the policy of To, and
+/// saturates under every other policy.
+///
+///     static_assert(hypot<q2_30>(q1_31(-1), q1_31(-1)).raw() == 1518500250);  // 1518500249.99
+///     static_assert(hypot<q16_16>(q24_8(-3), q2_30(1.25)) == q16_16(3.25));
+template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To hypot(number<A, FA, PA> x,
+                                 number<B, FB, PB> y) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::length_to<To>(x, y);
+}
+
+/// The length of the vector (x, y, z) as a To, as that of two numbers.
+///
+///     static_assert(hypot<q2_14>(q1_15(-0.5), q1_15(-0.5), q1_15(-0.5)).raw() == 14189);
+template <class To, class A, int FA, policy PA, class B, int FB, policy PB, class C, int FC,
+          policy PC>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To hypot(number<A, FA, PA> x, number<B, FB, PB> y,
+                                 number<C, FC, PC> z) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::length_to<To>(x, y, z);
 }
 
 /// x to the power of y; 1 if y is 0. For a negative x, y must be a whole number, and for x = 0 it

@@ -55,7 +55,7 @@ function(read_header header result)
 endfunction()
 
 # expand(TEXT RESULT): the text with the headers that it includes and `done` does not have.
-set(done fixed/angle.hpp fixed/exponential.hpp fixed/std_format.hpp fixed/power.hpp fixed/trigonometry.hpp)
+set(done fixed/angle.hpp fixed/exponential.hpp fixed/std_format.hpp fixed/power.hpp fixed/results.hpp fixed/trigonometry.hpp)
 # A function, because a macro would evaluate the backslashes of the text again.
 function(expand start result)
   set(text "${start}")

@@ -30,20 +30,23 @@ namespace fixproof {
 
 namespace detail::FIXED_FUNCTIONS {
 
-template <angle_unit Unit, class Number>
-constexpr Number sine_of(Number x, unsigned ahead,
-                         const char* function) noexcept(Number::never_throws) {
-  return limited<Number>(
-      nearest_sine_of<Unit, ties_of<Number>>(x.raw(), ahead, Number::fraction_bits), function, x);
+/// The sine of an angle plus `ahead` quarter turns, as a To.
+template <angle_unit Unit, class To, class Number>
+constexpr To sine_of(Number x, unsigned ahead, const char* function) noexcept(To::never_throws) {
+  return limited<To>(
+      nearest_sine_of<Unit, ties_of<To>>(x.raw(), ahead, Number::fraction_bits, To::fraction_bits),
+      function, x);
 }
 
-template <angle_unit Unit, class Number>
-constexpr Number tangent_of(Number x, const char* function) noexcept(Number::never_throws) {
+/// The tangent of an angle, as a To.
+template <angle_unit Unit, class To, class Number>
+constexpr To tangent_of(Number x, const char* function) noexcept(To::never_throws) {
   if (is_pole<Unit>(x.raw(), Number::fraction_bits)) {
-    using limits = std::numeric_limits<typename Number::raw_type>;
-    return outside_domain<Number>((limits::max)(), function, x);
+    using limits = std::numeric_limits<typename To::raw_type>;
+    return outside_domain<To>((limits::max)(), function, x);
   }
-  return limited<Number>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits), function, x);
+  return limited<To>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits, To::fraction_bits),
+                     function, x);
 }
 
 }  // namespace detail::FIXED_FUNCTIONS
@@ -57,7 +60,8 @@ template <class Raw, int F, policy P>
 requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P> sin(
     number<Raw, F, P> angle) noexcept(number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(sin, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian>(angle, 0, "sin");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, number<Raw, F, P>>(angle, 0,
+                                                                                         "sin");
 }
 
 /// The cosine of an angle in radians.
@@ -67,7 +71,8 @@ template <class Raw, int F, policy P>
 requires(!detail::has_radians<Raw, F>) [[nodiscard]] constexpr number<Raw, F, P> cos(
     number<Raw, F, P> angle) noexcept(number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(cos, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian>(angle, 1, "cos");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, number<Raw, F, P>>(angle, 1,
+                                                                                         "cos");
 }
 
 /// The tangent of an angle in radians.
@@ -77,7 +82,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tan(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(tan, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::radian>(angle, "tan");
+  return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::radian, number<Raw, F, P>>(angle,
+                                                                                            "tan");
 }
 
 /// The sine of an angle in degrees.
@@ -87,7 +93,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> sin_of_degrees(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(sin_of_degrees, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree>(angle, 0, "sin_of_degrees");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, number<Raw, F, P>>(
+      angle, 0, "sin_of_degrees");
 }
 
 /// The cosine of an angle in degrees.
@@ -97,7 +104,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> cos_of_degrees(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(cos_of_degrees, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree>(angle, 1, "cos_of_degrees");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, number<Raw, F, P>>(
+      angle, 1, "cos_of_degrees");
 }
 
 /// The tangent of an angle in degrees. For an odd number of quarter turns it throws a domain_error
@@ -108,7 +116,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tan_of_degrees(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(tan_of_degrees, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::degree>(angle, "tan_of_degrees");
+  return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::degree, number<Raw, F, P>>(
+      angle, "tan_of_degrees");
 }
 
 /// The sine of an angle in turns.
@@ -118,7 +127,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> sin_of_turns(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(sin_of_turns, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn>(angle, 0, "sin_of_turns");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, number<Raw, F, P>>(
+      angle, 0, "sin_of_turns");
 }
 
 /// The cosine of an angle in turns.
@@ -128,7 +138,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> cos_of_turns(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(cos_of_turns, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn>(angle, 1, "cos_of_turns");
+  return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, number<Raw, F, P>>(
+      angle, 1, "cos_of_turns");
 }
 
 /// The tangent of an angle in turns. For an odd number of quarter turns it throws a domain_error
@@ -139,7 +150,8 @@ template <class Raw, int F, policy P>
 [[nodiscard]] constexpr number<Raw, F, P> tan_of_turns(number<Raw, F, P> angle) noexcept(
     number<Raw, F, P>::never_throws) {
   FIXED_NEEDS_32_BITS(tan_of_turns, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::turn>(angle, "tan_of_turns");
+  return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::turn, number<Raw, F, P>>(
+      angle, "tan_of_turns");
 }
 
 /// cos() and sin() of an angle in radians.

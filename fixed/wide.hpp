@@ -10,6 +10,7 @@
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/raise.hpp"
+#include "fixed/detail/result.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/math.hpp"
@@ -119,6 +120,21 @@ class accumulator {
   [[nodiscard]] constexpr Number result() const noexcept(Number::multiply_never_throws) {
     return Number::from_raw(detail::narrow<Number::rules.product_range(), raw>(
         detail::shift_right<Number::rules.multiply>(sum_, fraction),
+        [] { detail::raise<overflow_error>("overflow", "accumulator::result"); }));
+  }
+
+  /// The sum as a To, rounded once by policy::multiply of To. The policy of To handles overflow, as
+  /// for products.
+  ///
+  ///     static_assert(accumulator<q1_31>().add(q1_31(-1)).subtract(q1_31(0.5)).result<q2_30>() ==
+  ///                   q2_30(-1.5));
+  template <class To>
+  requires detail::is_plain_number<To>
+  [[nodiscard]] constexpr To result() const noexcept(To::multiply_never_throws) {
+    // There is room for 2^62 terms, each at most 2^(2 signed_bits - 1).
+    constexpr int bits = 2 * detail::signed_bits<raw> + 63;
+    return To::from_raw(detail::narrow<To::rules.product_range(), typename To::raw_type>(
+        detail::rescaled<To, 2 * fraction, bits>(sum_),
         [] { detail::raise<overflow_error>("overflow", "accumulator::result"); }));
   }
 

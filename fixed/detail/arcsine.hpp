@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "fixed/detail/arctangent.hpp"
+#include "fixed/detail/assert.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/hardware.hpp"
@@ -33,7 +34,9 @@ constexpr scaled_root root_of(std::uint64_t n) noexcept {
   n <<= 2 * doublings;
   const std::int64_t root = nearest_sqrt_of_word(n);
   const auto square = static_cast<std::uint64_t>(root) * static_cast<std::uint64_t>(root);
+  // Modulo 2^64, which is exact, because the rest is at most 2^32.
   const auto rest = static_cast<std::int64_t>(n - square);
+  FIXED_ASSERT(rest <= root && -rest <= root);
   const std::int64_t fraction = rest * (std::int64_t{1} << 30) / root;
   return {(static_cast<std::uint64_t>(root) << 31) + static_cast<std::uint64_t>(fraction),
           doublings};
@@ -47,6 +50,7 @@ constexpr std::uint64_t quick_root(std::uint64_t n, int shift) noexcept {
       // Off by less than 2^-52 of the root in every rounding mode.
       const double root = sqrt(static_cast<double>(static_cast<std::int64_t>(n)));
       const auto scale = static_cast<double>(std::int64_t{1} << shift);
+      // At most 2^32.
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(root * scale));
     }
   }
@@ -59,19 +63,22 @@ constexpr real precise_side(std::uint64_t squares, int fraction_bits) noexcept {
   return nearest_sqrt_by_pairs<real_bits>(real{squares} << (2 * (real_bits - fraction_bits)));
 }
 
-/// The angle of a triangle with the side `known` / 2^fraction_bits and the hypotenuse 1, from 0 to
+/// The angle of a triangle with the side `known` / 2^operand_bits and the hypotenuse 1, from 0 to
 /// pi, to nearest.
-/// @param squares 4^fraction_bits - known^2 @param is_left whether the known side is negative
+/// @param squares 4^operand_bits - known^2 @param is_left whether the known side is negative
 template <triangle_side Side>
 constexpr std::int64_t careful_triangle_angle(std::uint64_t known, std::uint64_t squares,
-                                              bool is_left, int fraction_bits) noexcept {
+                                              bool is_left, int operand_bits,
+                                              int fraction_bits) noexcept {
   constexpr bool is_sine = Side == triangle_side::sine;
   // Both sides in units of 2^-57 of the hypotenuse. The root is off by 2 units, and moves the angle
   // by at most as much.
   constexpr int bits = 57;
+  // As squares is below 4^operand_bits, doublings + operand_bits is at least 32: a right shift.
   const scaled_root root = root_of(squares);
-  const std::uint64_t other = root.root >> (31 + root.doublings + fraction_bits - bits);
-  const std::uint64_t side = known << (bits - fraction_bits);
+  FIXED_ASSERT(root.doublings + operand_bits >= 32);
+  const std::uint64_t other = root.root >> (31 + root.doublings + operand_bits - bits);
+  const std::uint64_t side = known << (bits - operand_bits);
   const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, is_left);
   const std::int64_t angle =
       part.turned(arctangent(part.n, part.d), static_cast<std::int64_t>(pi_58));
@@ -79,8 +86,8 @@ constexpr std::int64_t careful_triangle_angle(std::uint64_t known, std::uint64_t
   const nearest_ends ends = nearest_within(angle, error, 58 - fraction_bits);
   if (ends.agree()) [[likely]]
     return ends.low;
-  const real precise_other = precise_side(squares, fraction_bits);
-  const real precise_known = real{known} << (real_bits - fraction_bits);
+  const real precise_other = precise_side(squares, operand_bits);
+  const real precise_known = real{known} << (real_bits - operand_bits);
   const auto precise = is_sine ? octant_of(precise_known, precise_other, false)
                                : octant_of(precise_other, precise_known, is_left);
   return nearest_units(
@@ -88,26 +95,27 @@ constexpr std::int64_t careful_triangle_angle(std::uint64_t known, std::uint64_t
       fraction_bits);
 }
 
-/// The arcsine or arccosine of raw / 2^fraction_bits in units of 2^-fraction_bits.
-/// @pre |raw| <= 2^fraction_bits <= 2^32
+/// The arcsine or arccosine of raw / 2^operand_bits in units of 2^-fraction_bits.
+/// @pre |raw| <= 2^operand_bits <= 2^32
 template <triangle_side Side>
-constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bits) noexcept {
+constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int operand_bits,
+                                              int fraction_bits) noexcept {
   constexpr bool is_sine = Side == triangle_side::sine;
   const auto known = static_cast<std::uint64_t>(chosen(raw < 0, -raw, raw));
-  if (known == 0 || known >> fraction_bits != 0) {
+  if (known == 0 || known >> operand_bits != 0) {
     // The other side is 1 or 0.
     const std::int64_t other = known == 0 ? 1 : 0;
     return is_sine ? nearest_angle(raw, other, fraction_bits)
                    : nearest_angle(other, raw, fraction_bits);
   }
-  // 4^fraction_bits is 0 modulo 2^64 if there are 32.
-  const std::uint64_t one = fraction_bits < 32 ? std::uint64_t{1} << (2 * fraction_bits) : 0;
+  // 4^operand_bits is 0 modulo 2^64 if there are 32.
+  const std::uint64_t one = operand_bits < 32 ? std::uint64_t{1} << (2 * operand_bits) : 0;
   const std::uint64_t squares = one - known * known;
 
-  if (fraction_bits <= quick_bits) {
+  if (operand_bits <= quick_bits && fraction_bits <= quick_bits) {
     // Both sides in units of 2^-32 of the hypotenuse. The root moves the angle by at most its
     // error.
-    const int shift = 32 - fraction_bits;
+    const int shift = 32 - operand_bits;
     const std::uint64_t other = quick_root(squares, shift);
     const std::uint64_t side = known << shift;
     const auto part = is_sine ? octant_of(side, other, false) : octant_of(other, side, raw < 0);
@@ -116,7 +124,8 @@ constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bit
       return chosen(is_sine && raw < 0, -quick.low, quick.low);
   }
 
-  const std::int64_t angle = careful_triangle_angle<Side>(known, squares, raw < 0, fraction_bits);
+  const std::int64_t angle =
+      careful_triangle_angle<Side>(known, squares, raw < 0, operand_bits, fraction_bits);
   return is_sine && raw < 0 ? -angle : angle;
 }
 

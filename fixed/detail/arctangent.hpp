@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "fixed/detail/assert.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/nearest.hpp"
@@ -20,6 +21,7 @@ namespace fixproof::detail {
 
 /// n / d in units of 2^-58, rounded down, for 0 <= n <= d / 64 and d < 2^64.
 constexpr std::uint64_t small_ratio(std::uint64_t n, std::uint64_t d) noexcept {
+  FIXED_ASSERT(n <= d / 64);  // so the quotient is at most 2^52
   if (d >> 38 != 0) {
     return static_cast<std::uint64_t>(truncated_ratio(int128{n} << 58, int128{d}));
   }
@@ -36,6 +38,7 @@ constexpr std::uint64_t small_ratio(std::uint64_t n, std::uint64_t d) noexcept {
 /// z = (64 n - i d) / (64 d + i n) and 0 <= z < 2^-6. z is rounded down to 2^-58; the series of
 /// atan(z) / z loses less than 2 units, and its remainder is below 2^-63.
 constexpr std::int64_t arctangent(std::uint64_t n, std::uint64_t d) noexcept {
+  FIXED_ASSERT(n <= d && d > 0 && (n + d) >> 58 == 0);
   const auto i = static_cast<std::uint32_t>(64 * n / d);  // at most 64
   const std::uint64_t z = small_ratio(64 * n - i * d, 64 * d + i * n);
   const std::uint64_t square = multiply_high(z << 11, z << 11);  // 1024 z^2 in units of 2^-64
@@ -52,6 +55,7 @@ constexpr std::int64_t arctangent(std::uint64_t n, std::uint64_t d) noexcept {
 /// next one, z^5 / 5, is below 2^-32.3. z is less than 1 unit too low, z^3 / 3 less than 1.01
 /// units, and the arctangent of c less than 1.
 constexpr std::int64_t quick_arctangent(std::uint64_t n, std::uint64_t d) noexcept {
+  FIXED_ASSERT(n <= d && d > 0 && d <= std::uint64_t{1} << 32);
   const auto i = static_cast<std::uint32_t>(64 * n / d);  // at most 64
   const std::uint64_t z = ((64 * n - i * d) << 32) / (64 * d + i * n);
   const std::uint64_t square = z * z >> 32;

@@ -49,17 +49,17 @@ constexpr std::int64_t vector_angle_ulps(std::int64_t y, std::int64_t x,
   }
 }
 
-constexpr std::int64_t triangle_angle_ulps(std::int64_t raw, int fraction_bits,
+constexpr std::int64_t triangle_angle_ulps(std::int64_t raw, int operand_bits, int fraction_bits,
                                            triangle_side side) noexcept {
   const std::int64_t known = raw < 0 ? -raw : raw;
-  // 4^fraction_bits - known^2 in units of 2^-64; 4^32 is 0 modulo 2^64, which is right unless the
+  // 4^operand_bits - known^2 in units of 2^-64; 4^32 is 0 modulo 2^64, which is right unless the
   // operand is 0.
   const auto square = static_cast<std::uint64_t>(known) * static_cast<std::uint64_t>(known);
-  const int unused = 32 - fraction_bits;
+  const int unused = 32 - operand_bits;
   for (int lowest = short_digit;; lowest = 0) {
     real other = known == 0 ? real_one : root_of(0 - (square << unused << unused), lowest);
     other.use_from(lowest);
-    real given = scaled_integer(known, real_bits - fraction_bits, lowest);
+    real given = scaled_integer(known, real_bits - operand_bits, lowest);
     const bool is_sine = side == triangle_side::sine;
     const std::int64_t ulps = is_sine ? angle_ulps(given, other, false, fraction_bits)
                                       : angle_ulps(other, given, raw < 0, fraction_bits);
@@ -74,14 +74,15 @@ constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, int fractio
   return vector_angle_ulps(y, x, fraction_bits);
 }
 
-/// The arcsine or arccosine of raw / 2^fraction_bits.
-/// @pre |raw| <= 2^fraction_bits <= 2^32
+/// The arcsine or arccosine of raw / 2^operand_bits.
+/// @pre |raw| <= 2^operand_bits <= 2^32
 template <triangle_side Side>
-constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int fraction_bits) noexcept {
+constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int operand_bits,
+                                              int fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated()) {
-    return detail::nearest_triangle_angle<Side>(raw, fraction_bits);
+    return detail::nearest_triangle_angle<Side>(raw, operand_bits, fraction_bits);
   }
-  return triangle_angle_ulps(raw, fraction_bits, Side);
+  return triangle_angle_ulps(raw, operand_bits, fraction_bits, Side);
 }
 
 }  // namespace fixproof::detail::in_digits

@@ -51,10 +51,10 @@ constexpr real logarithm_of(std::uint64_t raw, int fraction_bits, int lowest) no
   return log;
 }
 
-constexpr std::int64_t logarithm_ulps(std::uint64_t raw, int fraction_bits,
+constexpr std::int64_t logarithm_ulps(std::uint64_t raw, int operand_bits, int fraction_bits,
                                       logarithm_base base) noexcept {
   for (int lowest = short_digit;; lowest = 0) {
-    real log = logarithm_of(raw, fraction_bits, lowest);
+    real log = logarithm_of(raw, operand_bits, lowest);
     if (base != logarithm_base::two) log *= base == logarithm_base::e ? log_2 : log10_2;
     const std::int64_t ulps = nearest_units(log, fraction_bits);
     if (ulps != undecided) return ulps;
@@ -106,9 +106,12 @@ constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) no
 }
 
 template <logarithm_base Base>
-constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int fraction_bits) noexcept {
-  if (__builtin_is_constant_evaluated()) return detail::nearest_logarithm<Base>(raw, fraction_bits);
-  return logarithm_ulps(raw, fraction_bits, Base);
+constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int operand_bits,
+                                         int fraction_bits) noexcept {
+  if (__builtin_is_constant_evaluated()) {
+    return detail::nearest_logarithm<Base>(raw, operand_bits, fraction_bits);
+  }
+  return logarithm_ulps(raw, operand_bits, fraction_bits, Base);
 }
 
 template <hyperbola Function>

@@ -38,16 +38,23 @@ constexpr real sine_of(const real& part, bool is_cosine) noexcept {
   return sine;
 }
 
-constexpr std::int64_t sine_ulps(std::int64_t raw, unsigned ahead, int fraction_bits,
-                                 angle_unit unit, rounding ties) noexcept {
-  for (int lowest = short_digit;; lowest = 0) {
-    const phase angle = phase_of(raw, fraction_bits, unit, lowest);
+/// The lowest digit to begin with. The bounds of short numbers are those of an angle with as many
+/// bits after the point as the result, and of one with more.
+constexpr int first_digit(int angle_bits, int fraction_bits) noexcept {
+  return angle_bits < fraction_bits ? 0 : short_digit;
+}
+
+constexpr std::int64_t sine_ulps(std::int64_t raw, unsigned ahead, int angle_bits,
+                                 int fraction_bits, angle_unit unit, rounding ties) noexcept {
+  for (int lowest = first_digit(angle_bits, fraction_bits);; lowest = 0) {
+    const phase angle = phase_of(raw, angle_bits, unit, lowest);
     const std::int64_t quarters = angle.quarters + ahead;
     real result = sine_of(angle.part, quarters % 2 != 0);
     const bool is_negative = (quarters & 2) != 0;
     // A sine of whole degrees that is this near to 1/2 is 1/2.
     real copy = result;
-    if (unit == angle_unit::degree && fraction_bits == 0 && nearest_units(copy, 8) == 128) {
+    if (unit == angle_unit::degree && fraction_bits == 0 &&
+        raw >> angle_bits << angle_bits == raw && nearest_units(copy, 8) == 128) {
       return rounded_half(is_negative, ties);
     }
     if (is_negative) result.negate();
@@ -56,9 +63,10 @@ constexpr std::int64_t sine_ulps(std::int64_t raw, unsigned ahead, int fraction_
   }
 }
 
-constexpr std::int64_t tangent_ulps(std::int64_t raw, int fraction_bits, angle_unit unit) noexcept {
-  for (int lowest = short_digit;; lowest = 0) {
-    const phase angle = phase_of(raw, fraction_bits, unit, lowest);
+constexpr std::int64_t tangent_ulps(std::int64_t raw, int angle_bits, int fraction_bits,
+                                    angle_unit unit) noexcept {
+  for (int lowest = first_digit(angle_bits, fraction_bits);; lowest = 0) {
+    const phase angle = phase_of(raw, angle_bits, unit, lowest);
     const bool is_steep = angle.quarters % 2 != 0;
     real numerator = sine_of(angle.part, is_steep);
     const real denominator = sine_of(angle.part, !is_steep);
@@ -92,18 +100,21 @@ constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
 }
 
 template <angle_unit Unit, rounding R>
-constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
+constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead, int angle_bits,
                                        int fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated()) {
-    return detail::nearest_sine_of<Unit, R>(raw, ahead, fraction_bits);
+    return detail::nearest_sine_of<Unit, R>(raw, ahead, angle_bits, fraction_bits);
   }
-  return sine_ulps(raw, ahead, fraction_bits, Unit, R);
+  return sine_ulps(raw, ahead, angle_bits, fraction_bits, Unit, R);
 }
 
 template <angle_unit Unit>
-constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
-  if (__builtin_is_constant_evaluated()) return detail::nearest_tangent<Unit>(raw, fraction_bits);
-  return tangent_ulps(raw, fraction_bits, Unit);
+constexpr std::int64_t nearest_tangent(std::int64_t raw, int angle_bits,
+                                       int fraction_bits) noexcept {
+  if (__builtin_is_constant_evaluated()) {
+    return detail::nearest_tangent<Unit>(raw, angle_bits, fraction_bits);
+  }
+  return tangent_ulps(raw, angle_bits, fraction_bits, Unit);
 }
 
 }  // namespace fixproof::detail::in_digits

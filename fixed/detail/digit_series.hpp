@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "fixed/detail/assert.hpp"
 #include "fixed/detail/digits.hpp"
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/nearest.hpp"
@@ -62,6 +63,8 @@ constexpr std::int64_t nearest_units(real& x, int fraction_bits) noexcept {
   real room(beyond << more_bits);
   room -= x;
   if (room.negative()) return beyond;
+  // Negative results are sines, and logarithms down to -32.
+  FIXED_ASSERT(x.is_word());
   const nearest_ends ends = nearest_within(x.units(), error, more_bits);
   return ends.agree() ? ends.low : undecided;
 }
@@ -73,11 +76,13 @@ constexpr std::int64_t rounded_half(bool is_negative, rounding ties) noexcept {
   return 1;
 }
 
-/// Subtracts the whole part from x, and returns that part. x is then from 0 to 1.
+/// Subtracts the whole part from x, and returns that part, which is at most 2^39 in magnitude. x is
+/// then from 0 to 1.
 constexpr std::int64_t take_whole(real& x) noexcept {
   real whole = x;
   whole.use_from(0);
   whole.shift(-real_bits);
+  FIXED_ASSERT(whole.is_word());
   const std::int64_t units = whole.units();
   whole.shift(real_bits);
   x -= whole;

@@ -71,6 +71,9 @@ class real {
     return static_cast<std::int64_t>(low);
   }
 
+  /// Whether units() is the number itself.
+  [[nodiscard]] constexpr bool is_word() const noexcept { return real(units()).digits_ == digits_; }
+
   /// Adds b, and a unit if `carry` is 1.
   constexpr void add(const real& b, two_digits carry) noexcept {
     for (int i = lowest_; i < real_digits; ++i) {

@@ -111,6 +111,7 @@ constexpr Raw total_divide(Raw n, Raw d) noexcept {
     if constexpr (P.quotient_range() == overflow::saturate) {
       quotient = saturated_quotient<Raw, P.divide, shift>(n, divisor - by_zero);
     } else {
+      // A quotient is below 2^48; one that Raw cannot hold wraps here.
       quotient = static_cast<std::int32_t>(rounded_quotient<P.divide, shift>(n, divisor - by_zero));
     }
     return static_cast<Raw>((quotient & ~by_zero) | (limit & by_zero));

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "fixed/detail/assert.hpp"
 #include "fixed/detail/bit_cast.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_kinds.hpp"
@@ -68,7 +69,9 @@ constexpr binary_exponent exponent_of(std::int64_t x) noexcept {
 /// 2^exponent in units of 2^-fraction_bits, to nearest, for an irrational result; 2^35 for every
 /// result that is not below 2^34 units.
 constexpr std::int64_t nearest_precise_power(const real& exponent, int fraction_bits) noexcept {
+  // A logarithm is at most 32, and the exponent of a power below 2^32.
   const auto floor = static_cast<std::int64_t>(exponent >> real_bits);
+  FIXED_ASSERT(real{floor} == exponent >> real_bits);
   if (floor >= 34 - fraction_bits) return std::int64_t{1} << 35;
   if (floor < -2 - fraction_bits) return 0;
   const int whole = static_cast<int>(floor);
@@ -85,6 +88,7 @@ constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_
   // results are less than a half.
   constexpr std::int64_t highest = 34;
   constexpr std::int64_t lowest = -2;
+  FIXED_ASSERT(error >= 0 && error >> 54 == 0);
   const std::int64_t units = exponent.whole + fraction_bits;
   const int place =
       static_cast<int>(chosen(units < lowest, lowest, chosen(units > highest, highest, units)));
@@ -143,6 +147,7 @@ struct logarithm_scale {
 
 template <logarithm_base Base>
 inline constexpr logarithm_scale scale_of = [] {
+  // The fraction of base two is 2^64, which becomes 0; nothing takes it.
   const auto scale = [](const real& precise) -> logarithm_scale {
     return {static_cast<std::int64_t>(((precise >> (real_bits - 58)) + real{1}) >> 1),
             static_cast<std::uint64_t>(precise >> (real_bits - 64)), precise};
@@ -210,6 +215,8 @@ constexpr real precise_logarithm(const scaled_word& x) noexcept {
 template <logarithm_base Base, std::size_t Terms>
 constexpr nearest_ends logarithm_within(const scaled_word& x, int fraction_bits) noexcept {
   const std::uint64_t fraction = binary_logarithm<Terms>(x.m);
+  // At most 32 * 2^57, and the fraction adds less than 2^57.
+  FIXED_ASSERT(x.exponent >= -32 && x.exponent <= 32);
   std::int64_t value = x.exponent * scale_of<Base>.whole;
   if constexpr (Base == logarithm_base::two) {
     value += static_cast<std::int64_t>(fraction >> 7);
@@ -230,12 +237,13 @@ constexpr std::int64_t careful_logarithm(const scaled_word& x, int fraction_bits
   return nearest_units(product(precise_logarithm(x), scale_of<Base>.precise), fraction_bits);
 }
 
-/// The logarithm of raw / 2^fraction_bits in units of 2^-fraction_bits, rounded to nearest. There
+/// The logarithm of raw / 2^operand_bits in units of 2^-fraction_bits, rounded to nearest. There
 /// are no ties: a logarithm of a rational number is whole or irrational in these bases.
 /// @pre 0 < raw < 2^33
 template <logarithm_base Base>
-constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int fraction_bits) noexcept {
-  const scaled_word x = scaled(raw, fraction_bits);
+constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int operand_bits,
+                                         int fraction_bits) noexcept {
+  const scaled_word x = scaled(raw, operand_bits);
   if (fraction_bits <= quick_bits) {
     const auto quick = logarithm_within<Base, quick_logarithm_terms>(x, fraction_bits);
     if (quick.agree()) [[likely]]

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "fixed/detail/assert.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/exponential.hpp"
 #include "fixed/detail/function_kinds.hpp"
@@ -22,7 +23,9 @@ namespace fixproof::detail {
 /// e^x for |x| < 64.
 constexpr real precise_exponential(const real& x) noexcept {
   const real exponent = product(x, real_from(real_log2_e));
+  // From -93 to 92.
   const int whole = static_cast<int>(static_cast<std::int64_t>(exponent >> real_bits));
+  FIXED_ASSERT(whole >= -93 && real{whole} == exponent >> real_bits && whole <= 92);
   const real power = precise_power(exponent - (real{whole} << real_bits));
   return whole < 0 ? power >> -whole : power << whole;
 }
@@ -36,7 +39,7 @@ template <std::size_t Terms>
 constexpr std::int64_t falling_exponential(std::int64_t x) noexcept {
   const binary_exponent exponent = exponent_of<exponential_base::e>(-x);
   const std::int64_t shift = 1 - exponent.whole;
-  // The power is below 2^64.
+  // The power is below 2^64, and its half below 2^63.
   return static_cast<std::int64_t>(power_of_two<Terms>(exponent.fraction) >> 1 >>
                                    chosen(shift < 64, shift - 1, std::int64_t{63}));
 }
@@ -45,8 +48,9 @@ constexpr std::int64_t falling_exponential(std::int64_t x) noexcept {
 template <hyperbola Function, std::size_t Terms>
 constexpr nearest_ends hyperbolic_within(std::int64_t x, const binary_exponent& up,
                                          int fraction_bits) noexcept {
-  // e^x / 2 and e^-x / 2 as parts of 2^whole, in units of 2^-62
+  // e^x / 2 and e^-x / 2 as parts of 2^whole, in units of 2^-62; the exponent is from 0 to 33
   const auto whole = static_cast<int>(up.whole);
+  FIXED_ASSERT(up.whole >= 0 && up.whole < 34 - fraction_bits);
   const auto rising = static_cast<std::int64_t>(power_of_two<Terms>(up.fraction) >> 2);
   const std::int64_t falling = falling_exponential<Terms>(x) >> (whole + 1);
   const std::int64_t value = Function == hyperbola::sine ? rising - falling : rising + falling;
@@ -88,6 +92,7 @@ constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_b
   if (fraction_bits <= quick_bits) {
     const auto t = static_cast<std::uint64_t>(falling_exponential<quick_power_terms>(2 * x));
     constexpr auto whole = static_cast<std::uint64_t>(one);
+    FIXED_ASSERT(t <= whole);  // so that the quotient is at most 1
     // In units of 2^-32. Rounding the divisor down makes the quotient up to 2 units too high; the
     // rest is off by less than 2.
     const auto quick = static_cast<std::int64_t>(((whole - t) << 1) / ((whole + t) >> 31));
@@ -97,6 +102,7 @@ constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, int fraction_b
       return ends.low;
   }
   const std::int64_t t = falling_exponential<power_terms>(2 * x);
+  FIXED_ASSERT(t >= 0 && t <= one);  // so that the quotient is at most 2^62
   const auto value =
       static_cast<std::int64_t>(truncated_ratio(int128{one - t} << 62, int128{one} + int128{t}));
   // The derivative is at least -2, so the error of t counts twice.

@@ -8,6 +8,7 @@
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/raise.hpp"
+#include "fixed/detail/result.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/number.hpp"
@@ -20,13 +21,11 @@ inline constexpr rounding ties_of =
     is_to_nearest<Number::rules.multiply> ? Number::rules.multiply : rounding::half_up;
 
 /// The number of ulps as a Number. Out of range, throws an overflow_error under overflow::trap,
-/// else returns the nearest limit.
+/// else returns the nearest limit. @param operands numbers of any formats, for the text of an error
 template <class Number, class Ulps, class... Operands>
 constexpr Number limited(const Ulps& ulps, const char* function,
                          Operands... operands) noexcept(Number::never_throws) {
-  using raw = typename Number::raw_type;
-  return Number::from_raw(narrow<function_range<Number::rules.range>, raw>(
-      ulps, [&] { raise_overflow<Number::fraction_bits>(function, operands.raw()...); }));
+  return narrowed_to<Number, function_range<Number::rules.range>>(ulps, function, operands...);
 }
 
 /// The result outside a function's domain: throws a domain_error under overflow::trap, else returns
@@ -37,7 +36,7 @@ constexpr Number outside_domain(typename Number::raw_type instead, const char* f
   if constexpr (Number::rules.range == overflow::trap) {
     raise<domain_error>(
         "domain error", function,
-        operand<typename Number::raw_type, Number::fraction_bits>{operands.raw()}...);
+        operand<typename Operands::raw_type, Operands::fraction_bits>{operands.raw()}...);
   }
   return Number::from_raw(instead);
 }

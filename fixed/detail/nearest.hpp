@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "fixed/detail/assert.hpp"
+
 namespace fixproof::detail {
 
 /// The highest number of fraction bits for which functions try a quick result with a larger error
@@ -19,11 +21,23 @@ struct nearest_ends {
   [[nodiscard]] constexpr bool agree() const noexcept { return low == high; }
 };
 
-/// The ends of value +- error in units of 2^-bits. @pre bits > 0
+/// Whether a sum has this half, less a bit, without an overflow of Int.
+template <class Int>
+constexpr bool has_room(const Int& half) noexcept {
+  const Int top = half >> (8 * static_cast<int>(sizeof(Int)) - 2);
+  return top == Int{0} || top == Int{-1};
+}
+
+/// The ends of value +- error in units of 2^-bits. @pre bits > 0, error >= 0; Int has both ends,
+/// and std::int64_t has both in units of 2^(bits - 1)
 template <class Int>
 constexpr nearest_ends nearest_within(Int value, Int error, int bits) noexcept {
+  FIXED_ASSERT(!(error < Int{0}) && has_room((value >> 1) + ((error >> 1) + Int{1})) &&
+               has_room((value >> 1) - ((error >> 1) + Int{1})));
   const auto nearest = [bits](Int end) {
-    return (static_cast<std::int64_t>(end >> (bits - 1)) + 1) >> 1;
+    const Int halves = end >> (bits - 1);
+    FIXED_ASSERT(Int{static_cast<std::int64_t>(halves)} == halves);
+    return (static_cast<std::int64_t>(halves) + 1) >> 1;
   };
   return {nearest(value - error), nearest(value + error)};
 }

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "fixed/detail/assert.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/cosine.hpp"
 #include "fixed/detail/function_kinds.hpp"
@@ -97,13 +98,16 @@ constexpr precise_sine_and_cosine precise_sine_of(const real& angle) noexcept {
   return {product(angle, sine), cosine};
 }
 
-/// The sine of an angle plus `ahead` quarter turns in units of 2^-fraction_bits. Only 1/2 and -1/2,
-/// in degrees, are ties; rule R decides.
+/// The sine of the angle raw / 2^angle_bits plus `ahead` quarter turns in units of
+/// 2^-fraction_bits. Only 1/2 and -1/2, in degrees, are ties; rule R decides.
+///
+/// The bounds of the errors hold for every angle, and are the same in units of every result.
 template <angle_unit Unit, rounding R>
-constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
+constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead, int angle_bits,
                                        int fraction_bits) noexcept {
-  const std::uint64_t phase = phase_of<Unit>(raw, fraction_bits) + (std::uint64_t{ahead} << 62);
+  const std::uint64_t phase = phase_of<Unit>(raw, angle_bits) + (std::uint64_t{ahead} << 62);
   if (fraction_bits <= quick_bits) {
+    // Modulo half a turn; the sign is that of the half.
     const auto from_peak = static_cast<std::int32_t>((phase + turns_bias - quarter_turn) >> 31);
     const nearest_ends quick =
         nearest_within(static_cast<std::int64_t>(fast_cosine(from_peak)),
@@ -117,10 +121,11 @@ constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead,
   const nearest_ends ends = nearest_within(sine, error, 62 - fraction_bits);
   if (ends.agree()) [[likely]]
     return ends.low;
-  if (Unit == angle_unit::degree && fraction_bits == 0 && raw % 30 == 0) {
+  if (Unit == angle_unit::degree && fraction_bits == 0 &&
+      raw % (std::int64_t{30} << angle_bits) == 0) {
     return shift_right<R>(std::int64_t{phase >> 63 == 0 ? 1 : -1}, 1);
   }
-  const precise_phase precise = precise_phase_of<Unit>(raw, fraction_bits);
+  const precise_phase precise = precise_phase_of<Unit>(raw, angle_bits);
   const unsigned quarters = precise.quarters + ahead;
   const precise_sine_and_cosine both = precise_sine_of(precise.rest);
   const real result = quarters % 2 == 0 ? both.sine : both.cosine;
@@ -172,19 +177,21 @@ constexpr tangent_ratio tangent_of_phase(std::uint64_t phase) noexcept {
 /// @param a the numerator of the tangent of the phase @param b its divisor
 template <angle_unit Unit>
 constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, bool is_negative,
-                                       std::int64_t raw, int fraction_bits) noexcept {
+                                       std::int64_t raw, int angle_bits,
+                                       int fraction_bits) noexcept {
   // Tangents above 2^24 need more bits.
   if (b >> 38 != 0) {
     const int128 tangent = truncated_ratio(int128{a} << 62, int128{b});
     // Errors e of a and of b make e / b + e a / b^2 < 1.1 e (1 + a/b)^2.
     const std::int64_t bound = static_cast<std::int64_t>(tangent >> 62) + 2;
+    FIXED_ASSERT(tangent >> 62 < int128{1} << 26 && bound >= 2);
     const nearest_ends ends =
         // NOLINTNEXTLINE(bugprone-implicit-widening-of-multiplication-result): bound < 2^27
         nearest_within(tangent, int128{10 * bound} * int128{bound}, 62 - fraction_bits);
     if (ends.agree()) [[likely]]
       return is_negative ? -ends.low : ends.low;
   }
-  const precise_phase precise = precise_phase_of<Unit>(raw, fraction_bits);
+  const precise_phase precise = precise_phase_of<Unit>(raw, angle_bits);
   const precise_sine_and_cosine both = precise_sine_of(precise.rest);
   const bool is_steep = precise.quarters % 2 != 0;
   const real& n = is_steep ? both.cosine : both.sine;
@@ -196,22 +203,25 @@ constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, bool is
   return is_steep ? -result : result;
 }
 
-/// The tangent of an angle in units of 2^-fraction_bits; a result beyond 2^33 units may be any
-/// integer beyond that. @pre the angle is no pole
+/// The tangent of the angle raw / 2^angle_bits in units of 2^-fraction_bits; a result beyond 2^33
+/// units may be any integer beyond that. @pre the angle is no pole
 template <angle_unit Unit>
-constexpr std::int64_t nearest_tangent(std::int64_t raw, int fraction_bits) noexcept {
-  const tangent_ratio tangent = tangent_of_phase(phase_of<Unit>(raw, fraction_bits));
+constexpr std::int64_t nearest_tangent(std::int64_t raw, int angle_bits,
+                                       int fraction_bits) noexcept {
+  const tangent_ratio tangent = tangent_of_phase(phase_of<Unit>(raw, angle_bits));
   const std::uint64_t a = chosen(tangent.is_steep, tangent.d, tangent.n);
   const std::uint64_t b = chosen(tangent.is_steep, tangent.n, tangent.d);
   if (fraction_bits <= quick_bits && b >> 46 != 0) {
     // In units of 2^-32. The bits that b loses make a / b too high by less than 2.2 (1 + a/b)^2.
+    // At most 2^48, because a is at most 2^62 + 8 and b at least 2^46.
     const auto quick = static_cast<std::int64_t>((a << 1) / (b >> 31));
+    FIXED_ASSERT(a >> 63 == 0 && quick >= 0 && quick >> 49 == 0);
     const std::int64_t bound = (quick >> 32) + 2;
     const nearest_ends ends = nearest_within(quick, 3 * bound * bound, 32 - fraction_bits);
     if (ends.agree()) [[likely]]
       return chosen(tangent.is_negative, -ends.low, ends.low);
   }
-  return careful_tangent<Unit>(a, b, tangent.is_negative, raw, fraction_bits);
+  return careful_tangent<Unit>(a, b, tangent.is_negative, raw, angle_bits, fraction_bits);
 }
 
 }  // namespace fixproof::detail

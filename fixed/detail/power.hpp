@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "fixed/detail/assert.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/exponential.hpp"
 #include "fixed/detail/function_tables.hpp"
@@ -55,7 +56,10 @@ constexpr std::int64_t below_reciprocal_root(std::uint64_t raw, int fraction_bit
 /// Only a half is a tie, the root of a power of two; rule R decides.
 template <rounding R>
 constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_bits) noexcept {
+  // The root is at most 2^48, and its square times raw at most 2^(3 fraction_bits): so 128 bits
+  // have room for four times that and 4 root raw.
   const std::int64_t low = below_reciprocal_root(raw, fraction_bits);
+  FIXED_ASSERT(low >= 0 && low <= std::int64_t{1} << 48);
   const int128 middle{2 * low + 1};
   const int128 scaled = middle * middle * int128{raw};
   const int128 exact = int128{1} << (3 * fraction_bits + 2);
@@ -72,6 +76,7 @@ constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_b
 /// less than 268435456 units of 2^-61 of it, which is 1/4 ulp.
 constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
   const scaled_word x = scaled(raw, fraction_bits);
+  // From 0 to 31 + 64, so at least 61 - 31 bits of the root are dropped below.
   // NOLINTNEXTLINE(bugprone-misplaced-widening-cast): x.exponent >= -fraction_bits
   const auto exponent = static_cast<std::uint64_t>(x.exponent + 3 * fraction_bits);
   const std::size_t interval = x.m >> 26 & 63;
@@ -87,7 +92,9 @@ constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noe
 /// times a word is no odd cube. @pre raw < 2^32
 constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
   if (raw == 0) return 0;
+  // At most 2^32, so the cube of the middle is below 2^100, as is that of the exact root.
   const std::int64_t low = below_cube_root(raw, fraction_bits);
+  FIXED_ASSERT(low >= 0 && low <= std::int64_t{1} << 32);
   const int128 middle{2 * low + 1};
   const int128 cube = int128{raw} << (2 * fraction_bits + 3);
   return low + (middle * middle * middle < cube ? 1 : 0);
@@ -166,6 +173,8 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
   }
   if (shift < -100) return {true, 0};
   const int places = static_cast<int>(-shift);
+  // Powers from 2^34 ulps on never come here, because both ends of their bounds are beyond.
+  FIXED_ASSERT(power >> places < int128{1} << 36);
   // Rule floor is for magnitudes whose negatives round half up: only ties go down.
   if constexpr (R == rounding::floor) {
     return {true, -static_cast<std::int64_t>(shift_right<rounding::half_up>(-power, places))};
@@ -190,6 +199,8 @@ constexpr nearest_ends real_power_within(const scaled_word& x, std::int64_t expo
   constexpr std::int64_t log_error = logarithm_error<LogarithmTerms> + (is_quick ? 128 : 0);
   const std::int64_t error =
       (chosen(exponent < 0, -exponent, exponent) * log_error >> fraction_bits) + 6;
+  // The whole part is at most 2^38.
+  FIXED_ASSERT(int128{static_cast<std::int64_t>(scaled_log >> 64)} == scaled_log >> 64);
   return power_within<PowerTerms>(
       {static_cast<std::int64_t>(scaled_log >> 64), static_cast<std::uint64_t>(scaled_log)}, error,
       fraction_bits);

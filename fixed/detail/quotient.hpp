@@ -108,6 +108,7 @@ constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t div
   // if constexpr: without hardware doubles even dead code must not contain a double.
   if constexpr (hardware_double) {
     if (!std::is_constant_evaluated()) {
+      // At most 2^47 and a half.
       const double sum = quotient_sum<R, Shift>(numerator, divisor);
       return rounds_by_floor<R> ? floor_of_sum(sum) : static_cast<std::int64_t>(sum);
     }
@@ -127,6 +128,7 @@ constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t d
       // has not reached it stays 2^-18 below.
       constexpr double below_end = static_cast<double>(highest) + (1 - 0x1p-19);
       const double sum = quotient_sum<R, Shift>(numerator, divisor);
+      // Modulo 2^32; below, `end` replaces what is out of range.
       const auto low = static_cast<std::int32_t>(floor_of_sum(sum));
       const std::int32_t end = ((numerator ^ divisor) >> 31) ^ highest;
       const std::int32_t out = (upper_bits(sum - lowest) | upper_bits(below_end - sum)) >> 31;

@@ -92,7 +92,8 @@ constexpr std::int32_t nearest_sine(std::int32_t raw, std::uint64_t ahead) noexc
   const std::int32_t angle = raw * (1 << (16 - FractionBits));
   const std::uint64_t turns =
       static_cast<std::uint64_t>(std::int64_t{angle}) * turns_per_unit + turns_bias + ahead;
-  // The error is 1/2 unit by rounding, and 0.021 by the error of turns_per_unit.
+  // The error is 1/2 unit by rounding, and 0.021 by the error of turns_per_unit. The conversion is
+  // modulo half a turn.
   const auto from_peak = static_cast<std::int32_t>((turns - quarter_turn) >> 31);
   std::uint64_t sum = fast_cosine(from_peak) + rounding::bias;
   if ((sum & rounding::doubtful) == 0) {

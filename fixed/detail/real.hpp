@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "fixed/detail/assert.hpp"
 #include "fixed/detail/function_tables.hpp"
 #include "fixed/detail/wide_integer.hpp"
 
@@ -42,8 +43,9 @@ constexpr real ratio(const real& a, const real& b) noexcept {
 /// The integer nearest to x * 2^fraction_bits. @pre that is from -2^63 to 2^63 - 1, and x is so far
 /// from a tie that its error does not matter
 constexpr std::int64_t nearest_units(const real& x, int fraction_bits) noexcept {
-  return static_cast<std::int64_t>((x + (real_one >> (fraction_bits + 1))) >>
-                                   (real_bits - fraction_bits));
+  const real units = (x + (real_one >> (fraction_bits + 1))) >> (real_bits - fraction_bits);
+  FIXED_ASSERT(real{static_cast<std::int64_t>(units)} == units);
+  return static_cast<std::int64_t>(units);
 }
 
 }  // namespace fixproof::detail

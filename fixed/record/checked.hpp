@@ -110,6 +110,7 @@ FIXPROOF_RECORDED_MIXED(add, add_to)
 FIXPROOF_RECORDED_MIXED(subtract, subtract_to)
 FIXPROOF_RECORDED_MIXED(multiply, multiply_to)
 FIXPROOF_RECORDED_MIXED(divide, divide_to)
+FIXPROOF_RECORDED_MIXED(hypot, hypot)
 #undef FIXPROOF_RECORDED_MIXED
 // NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
 /// @endcond
@@ -161,6 +162,14 @@ class accumulator<recorded_number<N>> {
       noexcept(N::multiply_never_throws) {
     return record::detail::logged<record::kind::accumulator_result, N>(
         from, [this] { return sum_.result(); });
+  }
+  /// The sum as a To, rounded once.
+  template <any_number To>
+  [[nodiscard]] constexpr To result(record::place from = FIXPROOF_HERE) const
+      noexcept(To::multiply_never_throws) {
+    using plain = typename record::detail::plain_type_of<To>::type;
+    return record::detail::logged<record::kind::accumulator_result, plain>(
+        from, [this] { return sum_.template result<plain>(); });
   }
 
  private:

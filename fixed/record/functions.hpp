@@ -238,6 +238,40 @@ template <class N>
 }
 /// \}
 
+namespace record::detail {
+
+/// Returns the sum of products of two ranges as a plain number N. The record has the number of
+/// terms and a hash of each range.
+template <class N, class A, class B>
+constexpr N logged_dot(const A& a, const B& b) noexcept(N::multiply_never_throws) {
+  const std::size_t terms = std::size(a) < std::size(b) ? std::size(a) : std::size(b);
+  const auto* const x = std::data(a);
+  const auto* const y = std::data(b);
+  const auto sum_of = [x, y](digest, digest, std::size_t count) {
+    constexpr int fraction = fixproof::detail::element_t<A>::fraction_bits +
+                             fixproof::detail::element_t<B>::fraction_bits;
+    using wide = fixproof::detail::wide_integer<3>;
+    wide sum;
+    for (std::size_t i = 0; i < count; ++i) sum = sum + wide{x[i].raw()} * wide{y[i].raw()};
+    // 2^62 products of 64-bit integers have at most 191 bits, with the sign.
+    return N::from_raw(fixproof::detail::narrow<N::rules.product_range(), typename N::raw_type>(
+        fixproof::detail::rescaled<N, fraction, 191>(sum), [count] {
+          fixproof::detail::raise<overflow_error>("overflow", "dot",
+                                                  fixproof::detail::term_count{count});
+        }));
+  };
+  const auto hash_of = [terms](const auto* numbers) {
+    digest all{0};
+    for (std::size_t i = 0; i < terms; ++i) {
+      all.hash = next_hash(all.hash, i, bits_of(numbers[i].raw()));
+    }
+    return all;
+  };
+  return logged<kind::dot, N>(nowhere, sum_of, hash_of(x), hash_of(y), terms);
+}
+
+}  // namespace record::detail
+
 /// The sum of products of two ranges, as dot() of plain numbers. The record has the number of terms
 /// and a hash of each range.
 template <detail::number_range A, detail::number_range B>
@@ -245,27 +279,14 @@ requires std::same_as<detail::element_t<A>, detail::element_t<B>> &&
     record::detail::is_recorded<detail::element_t<A>>
 [[nodiscard]] constexpr detail::element_t<A> dot(const A& a, const B& b) noexcept(
     detail::element_t<A>::multiply_never_throws) {
-  using N = typename detail::element_t<A>::plain_type;
-  const std::size_t terms = std::size(a) < std::size(b) ? std::size(a) : std::size(b);
-  const auto* const x = std::data(a);
-  const auto* const y = std::data(b);
-  const auto sum_of = [x, y](record::detail::digest, record::detail::digest, std::size_t count) {
-    using wide = detail::wide_integer<3>;
-    wide sum;
-    for (std::size_t i = 0; i < count; ++i) sum = sum + wide{x[i].raw()} * wide{y[i].raw()};
-    return N::from_raw(detail::narrow<N::rules.product_range(), typename N::raw_type>(
-        detail::shift_right<N::rules.multiply>(sum, N::fraction_bits),
-        [count] { detail::raise<overflow_error>("overflow", "dot", detail::term_count{count}); }));
-  };
-  const auto hash_of = [terms](const auto* numbers) {
-    record::detail::digest all{0};
-    for (std::size_t i = 0; i < terms; ++i) {
-      all.hash = record::next_hash(all.hash, i, record::detail::bits_of(numbers[i].raw()));
-    }
-    return all;
-  };
-  return record::detail::logged<record::kind::dot, N>(record::nowhere, sum_of, hash_of(x),
-                                                      hash_of(y), terms);
+  return record::detail::logged_dot<typename detail::element_t<A>::plain_type>(a, b);
+}
+/// The same as a To, as dot<To>() of plain numbers.
+template <class To, detail::number_range A, detail::number_range B>
+requires record::detail::is_recorded<To> &&(record::detail::is_recorded<detail::element_t<A>> ||
+                                            record::detail::is_recorded<detail::element_t<B>>)
+    [[nodiscard]] constexpr To dot(const A& a, const B& b) noexcept(To::multiply_never_throws) {
+  return record::detail::logged_dot<typename To::plain_type>(a, b);
 }
 
 }  // namespace fixproof

@@ -35,6 +35,7 @@
 #include "fixed/record/functions.hpp"
 #include "fixed/record/log.hpp"
 #include "fixed/record/number.hpp"
+#include "fixed/record/results.hpp"
 #include "fixed/record/text.hpp"
 #else
 #include "fixed/record/silent.hpp"

@@ -17,6 +17,8 @@ if(FIXPROOF_SANITIZE)
   # -O1: instrumented code that is optimised further takes many times longer to compile than to run.
   add_compile_options(-O1 -gline-tables-only -fsanitize=address,undefined -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
+  # The bounds that make a conversion exact (fixed/detail/assert.hpp).
+  add_compile_definitions(FIXED_ASSERTIONS)
   add_link_options(-fsanitize=address,undefined)
 elseif(FIXPROOF_TOOLS)
   include(${CMAKE_CURRENT_LIST_DIR}/hardening.cmake)

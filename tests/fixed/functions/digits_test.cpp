@@ -201,12 +201,12 @@ TEST_F(Digits, PhasesAreThoseOfWords) {
   }
 }
 
-/// A function in words and in digits, of x, y and the fraction bits. It takes words of at most 32
-/// bits, or their magnitudes.
+/// A function in words and in digits, of x, y, their fraction bits f and those of the result, g. It
+/// takes words of at most 32 bits, or their magnitudes.
 struct Named {
   const char* name;
-  std::int64_t (*in_words)(std::int64_t, std::int64_t, int);
-  std::int64_t (*in_digits)(std::int64_t, std::int64_t, int);
+  std::int64_t (*in_words)(std::int64_t, std::int64_t, int, int);
+  std::int64_t (*in_digits)(std::int64_t, std::int64_t, int, int);
 };
 
 std::uint64_t magnitude(std::int64_t x) { return static_cast<std::uint64_t>(x < 0 ? -x : x); }
@@ -218,46 +218,48 @@ std::int64_t units(std::int64_t x, int fraction_bits) {
 }
 
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the same call in two namespaces
-#define BOTH(name, ...)                                                      \
-  Named {                                                                    \
-    name,                                                                    \
-        []([[maybe_unused]] std::int64_t x, [[maybe_unused]] std::int64_t y, \
-           int f) -> std::int64_t { return words::__VA_ARGS__; },            \
-        []([[maybe_unused]] std::int64_t x, [[maybe_unused]] std::int64_t y, \
-           int f) -> std::int64_t { return digits::__VA_ARGS__; }            \
+#define BOTH(name, ...)                                                            \
+  Named {                                                                          \
+    name,                                                                          \
+        []([[maybe_unused]] std::int64_t x, [[maybe_unused]] std::int64_t y,       \
+           [[maybe_unused]] int f,                                                 \
+           [[maybe_unused]] int g) -> std::int64_t { return words::__VA_ARGS__; }, \
+        []([[maybe_unused]] std::int64_t x, [[maybe_unused]] std::int64_t y,       \
+           [[maybe_unused]] int f,                                                 \
+           [[maybe_unused]] int g) -> std::int64_t { return digits::__VA_ARGS__; } \
   }
 
 template <rounding R>
 const std::array of_any{
-    BOTH("exp2", nearest_exponential<exponential_base::two, R>(units(x, f), f)),
-    BOTH("exp", nearest_exponential<exponential_base::e, R>(units(x, f), f)),
-    BOTH("sinh", nearest_hyperbolic<hyperbola::sine>(units(x < 0 ? -x : x, f), f)),
-    BOTH("cosh", nearest_hyperbolic<hyperbola::cosine>(units(x < 0 ? -x : x, f), f)),
-    BOTH("tanh", nearest_hyperbolic_tangent(units(x < 0 ? -x : x, f), f)),
-    BOTH("sin", nearest_sine_of<angle_unit::radian, R>(x, 0, f)),
-    BOTH("cos", nearest_sine_of<angle_unit::radian, R>(x, 1, f)),
-    BOTH("sin_of_degrees", nearest_sine_of<angle_unit::degree, R>(x, 0, f)),
-    BOTH("cos_of_degrees", nearest_sine_of<angle_unit::degree, R>(x, 1, f)),
-    BOTH("sin_of_turns", nearest_sine_of<angle_unit::turn, R>(x, 0, f)),
-    BOTH("cos_of_turns", nearest_sine_of<angle_unit::turn, R>(x, 1, f)),
-    BOTH("tan", nearest_tangent<angle_unit::radian>(x, f)),
+    BOTH("exp2", nearest_exponential<exponential_base::two, R>(units(x, f), g)),
+    BOTH("exp", nearest_exponential<exponential_base::e, R>(units(x, f), g)),
+    BOTH("sinh", nearest_hyperbolic<hyperbola::sine>(units(x < 0 ? -x : x, f), g)),
+    BOTH("cosh", nearest_hyperbolic<hyperbola::cosine>(units(x < 0 ? -x : x, f), g)),
+    BOTH("tanh", nearest_hyperbolic_tangent(units(x < 0 ? -x : x, f), g)),
+    BOTH("sin", nearest_sine_of<angle_unit::radian, R>(x, 0, f, g)),
+    BOTH("cos", nearest_sine_of<angle_unit::radian, R>(x, 1, f, g)),
+    BOTH("sin_of_degrees", nearest_sine_of<angle_unit::degree, R>(x, 0, f, g)),
+    BOTH("cos_of_degrees", nearest_sine_of<angle_unit::degree, R>(x, 1, f, g)),
+    BOTH("sin_of_turns", nearest_sine_of<angle_unit::turn, R>(x, 0, f, g)),
+    BOTH("cos_of_turns", nearest_sine_of<angle_unit::turn, R>(x, 1, f, g)),
+    BOTH("tan", nearest_tangent<angle_unit::radian>(x, f, g)),
     BOTH("is_pole of degrees", is_pole<angle_unit::degree>(x, f) ? 1 : 0),
     BOTH("is_pole of turns", is_pole<angle_unit::turn>(x, f) ? 1 : 0),
-    BOTH("atan", nearest_angle(x, std::int64_t{1} << f, f)),
-    BOTH("atan2", nearest_angle(y, x, f)),
+    BOTH("atan", nearest_angle(x, std::int64_t{1} << f, g)),
+    BOTH("atan2", nearest_angle(y, x, g)),
     BOTH("cbrt", nearest_cube_root(magnitude(x), f)),
 };
 
 const std::array of_angles{
-    BOTH("tan_of_degrees", nearest_tangent<angle_unit::degree>(x, f)),
-    BOTH("tan_of_turns", nearest_tangent<angle_unit::turn>(x, f)),
+    BOTH("tan_of_degrees", nearest_tangent<angle_unit::degree>(x, f, g)),
+    BOTH("tan_of_turns", nearest_tangent<angle_unit::turn>(x, f, g)),
 };
 
 template <rounding R>
 const std::array of_positive{
-    BOTH("log2", nearest_logarithm<logarithm_base::two>(magnitude(x), f)),
-    BOTH("log", nearest_logarithm<logarithm_base::e>(magnitude(x), f)),
-    BOTH("log10", nearest_logarithm<logarithm_base::ten>(magnitude(x), f)),
+    BOTH("log2", nearest_logarithm<logarithm_base::two>(magnitude(x), f, g)),
+    BOTH("log", nearest_logarithm<logarithm_base::e>(magnitude(x), f, g)),
+    BOTH("log10", nearest_logarithm<logarithm_base::ten>(magnitude(x), f, g)),
     BOTH("rsqrt", nearest_reciprocal_root<R>(magnitude(x), f)),
 };
 
@@ -268,32 +270,33 @@ const std::array powers{
 };
 
 const std::array of_unit{
-    BOTH("asin", nearest_triangle_angle<triangle_side::sine>(x, f)),
-    BOTH("acos", nearest_triangle_angle<triangle_side::cosine>(x, f)),
+    BOTH("asin", nearest_triangle_angle<triangle_side::sine>(x, f, g)),
+    BOTH("acos", nearest_triangle_angle<triangle_side::cosine>(x, f, g)),
 };
 #undef BOTH
 
 template <std::size_t Size>
-void expect_same(const std::array<Named, Size>& functions, std::int64_t x, std::int64_t y, int f) {
+void expect_same(const std::array<Named, Size>& functions, std::int64_t x, std::int64_t y, int f,
+                 int g) {
   // Beyond every format, results may differ.
   constexpr std::int64_t beyond = std::int64_t{1} << 33;
   for (const Named& each : functions) {
-    ASSERT_EQ(std::clamp(each.in_words(x, y, f), -beyond, beyond),
-              std::clamp(each.in_digits(x, y, f), -beyond, beyond))
-        << each.name << " of " << x << ' ' << y << ' ' << f;
+    ASSERT_EQ(std::clamp(each.in_words(x, y, f, g), -beyond, beyond),
+              std::clamp(each.in_digits(x, y, f, g), -beyond, beyond))
+        << each.name << " of " << x << ' ' << y << ' ' << f << ' ' << g;
   }
 }
 
 template <rounding R>
-void expect_same_functions(std::int64_t x, std::int64_t y, int f) {
-  expect_same(of_any<R>, x, y, f);
+void expect_same_functions(std::int64_t x, std::int64_t y, int f, int g) {
+  expect_same(of_any<R>, x, y, f, g);
   // Where words and digits agree on the poles
   if (!words::is_pole<angle_unit::degree>(x, f) && !words::is_pole<angle_unit::turn>(x, f)) {
-    expect_same(of_angles, x, y, f);
+    expect_same(of_angles, x, y, f, g);
   }
-  if (x != 0) expect_same(of_positive<R>, x, y, f);
-  if (x != 0) expect_same(powers<R>, x, y, f);
-  if (magnitude(x) <= std::uint64_t{1} << f) expect_same(of_unit, x, y, f);
+  if (x != 0) expect_same(of_positive<R>, x, y, f, g);
+  if (x != 0) expect_same(powers<R>, x, y, f, g);
+  if (magnitude(x) <= std::uint64_t{1} << f) expect_same(of_unit, x, y, f, g);
 }
 
 TEST_F(Digits, FunctionsAreThoseOfWords) {
@@ -301,6 +304,7 @@ TEST_F(Digits, FunctionsAreThoseOfWords) {
   constexpr std::int64_t lowest = std::numeric_limits<std::int32_t>::min();
   for (int i = 0; i < 4000; ++i) {
     const int f = below(33);
+    const int g = below(2) == 0 ? f : below(33);
     std::int64_t x = any(32);
     std::int64_t y = any(32);
     // Next to powers of two, and numbers whose powers, sines and poles are rational
@@ -311,13 +315,13 @@ TEST_F(Digits, FunctionsAreThoseOfWords) {
     x = std::clamp(x, lowest, highest);
     y = std::clamp(y, lowest, highest);
     if (i % 4 == 0) {
-      expect_same_functions<rounding::half_even>(x, y, f);
+      expect_same_functions<rounding::half_even>(x, y, f, g);
     } else if (i % 4 == 1) {
-      expect_same_functions<rounding::half_away>(x, y, f);
+      expect_same_functions<rounding::half_away>(x, y, f, g);
     } else if (i % 4 == 2) {
-      expect_same_functions<rounding::half_up>(x, y, f);
+      expect_same_functions<rounding::half_up>(x, y, f, g);
     } else if (x != 0) {
-      expect_same(powers<rounding::floor>, x, y, f);
+      expect_same(powers<rounding::floor>, x, y, f, g);
     }
   }
 }
@@ -328,14 +332,16 @@ TEST_F(Digits, TiesAreThoseOfWords) {
     for (std::int64_t x = 1; x <= 64; ++x) {
       for (int quarters = -12; quarters <= 12; ++quarters) {
         const std::int64_t y = quarters * (std::int64_t{1} << f) / 4;
-        expect_same(powers<rounding::half_up>, x, y, f);
-        expect_same(powers<rounding::half_even>, x, y, f);
-        expect_same(powers<rounding::floor>, x, y, f);
+        expect_same(powers<rounding::half_up>, x, y, f, f);
+        expect_same(powers<rounding::half_even>, x, y, f, f);
+        expect_same(powers<rounding::floor>, x, y, f, f);
       }
-      for (const std::int64_t either : {x, -x}) {
-        expect_same_functions<rounding::half_up>(either, 1, f);
-        expect_same_functions<rounding::half_even>(either, 1, f);
-        expect_same_functions<rounding::half_away>(either, 1, f);
+      for (int g = 0; g < 4; ++g) {
+        for (const std::int64_t either : {x, -x}) {
+          expect_same_functions<rounding::half_up>(either, 1, f, g);
+          expect_same_functions<rounding::half_even>(either, 1, f, g);
+          expect_same_functions<rounding::half_away>(either, 1, f, g);
+        }
       }
     }
   }

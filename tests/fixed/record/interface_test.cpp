@@ -239,8 +239,29 @@ TYPED_TEST(Interface, Functions) {
   RECORDS(subtract<T>(a, b));
   RECORDS(multiply<T>(a, b));
   RECORDS(ratio<T>(7, 3));
+  RECORDS(sqrt<T>(a));
+  RECORDS(hypot<T>(a, b));
+  RECORDS(hypot<T>(a, b, c));
+  RECORDS(dot<T>(std::array{a, b, c}, std::array{c, c, b}));
   EXPRESSION(5,
              accumulator<T>().add(a).subtract(b).add_product(a, c).subtract_product(b, c).result());
+  EXPRESSION(2, accumulator<T>().add_product(a, c).template result<T>());
+}
+
+/// Another format, plain if T is plain and recorded if T is recorded.
+template <class T>
+using Other = std::conditional_t<record::detail::is_recorded<T>, recorded_number<q4_12>, q4_12>;
+
+TYPED_TEST(Interface, ResultsInAnotherFormat) {
+  RECORDS(sqrt<Other<T>>(a));
+  RECORDS(hypot<Other<T>>(a, b));
+  RECORDS(hypot<Other<T>>(a, b, c));
+  RECORDS(dot<Other<T>>(std::array{a, b, c}, std::array{c, c, b}));
+  EXPRESSION(2, accumulator<T>().add_product(a, c).template result<Other<T>>());
+  // Two records, because the conversion is recorded, too.
+  RECORDS_TWO(hypot<T>(a, Other<T>(b)));
+  RECORDS_TWO(hypot<Other<T>>(a, Other<T>(b), c));
+  RECORDS_TWO(dot<T>(std::array{a}, std::array{Other<T>(b)}));
 }
 
 TYPED_TEST(Interface, Overflow) {
@@ -306,6 +327,37 @@ TYPED_TEST(Functions, OfAtMost32Bits) {
   RECORDS(sin_cos(a));
   RECORDS(sin_cos_of_degrees(a));
   RECORDS(sin_cos_of_turns(a));
+}
+
+TYPED_TEST(Functions, ResultsInAnotherFormat) {
+  RECORDS(sin<Other<T>>(a));
+  RECORDS(cos<Other<T>>(a));
+  RECORDS(tan<Other<T>>(a));
+  RECORDS(sin_of_degrees<Other<T>>(a));
+  RECORDS(cos_of_degrees<Other<T>>(a));
+  RECORDS(tan_of_degrees<Other<T>>(a));
+  RECORDS(sin_of_turns<Other<T>>(a));
+  RECORDS(cos_of_turns<Other<T>>(a));
+  RECORDS(tan_of_turns<Other<T>>(a));
+  RECORDS(sin_cos<Other<T>>(a));
+  RECORDS(sin_cos_of_degrees<Other<T>>(a));
+  RECORDS(sin_cos_of_turns<Other<T>>(a));
+  RECORDS(exp<Other<T>>(a));
+  RECORDS(exp2<Other<T>>(a));
+  RECORDS(expm1<Other<T>>(a));
+  RECORDS(sinh<Other<T>>(a));
+  RECORDS(cosh<Other<T>>(a));
+  RECORDS(tanh<Other<T>>(a));
+  RECORDS(log<Other<T>>(a));
+  RECORDS(log1p<Other<T>>(a));
+  RECORDS(log2<Other<T>>(a));
+  RECORDS(log10<Other<T>>(a));
+  RECORDS(atan<Other<T>>(a));
+  RECORDS(asin<Other<T>>(a));
+  RECORDS(acos<Other<T>>(a));
+  RECORDS(atan2<Other<T>>(a, b));
+  RECORDS(sin<T>(a));
+  RECORDS(atan2<T>(a, b));
 }
 
 // The rest of the interface.

@@ -1,0 +1,50 @@
+/// @file
+/// The integer nearest to a square root in another unit.
+#pragma once
+
+#include <cstdint>
+
+#include "fixed/detail/rounding.hpp"
+#include "fixed/detail/square_root.hpp"
+#include "fixed/detail/wide_integer.hpp"
+#include "fixed/policy.hpp"
+
+namespace fixproof::detail {
+
+/// The integer nearest to sqrt(n), for 0 <= n < 2^Bits. @pre Wide has three bits more, and a sign
+template <int Bits, class Wide>
+constexpr Wide nearest_sqrt_below(const Wide& n) noexcept {
+  if constexpr (Bits <= 64) {
+    return static_cast<Wide>(nearest_sqrt_of_word(static_cast<std::uint64_t>(n)));
+  } else {
+    return nearest_sqrt_by_pairs<(Bits + 1) / 2>(n);
+  }
+}
+
+/// The integer nearest to sqrt(n 2^Shift), ties by rule R, for 0 <= n < 2^Bits.
+///
+/// A left shift leaves an integer, whose root is no tie (see nearest_sqrt()). A right shift is two
+/// places shorter, so that the root is in halves of the unit. It is rounded down. If it is odd, the
+/// exact root is a half or more above the unit below. It is the half itself only if the square of
+/// the rounded root has all bits of n.
+/// @pre R rounds to nearest; Wide has max(Shift, 1) + 3 bits more than n, and a sign
+template <rounding R, int Shift, int Bits, class Wide>
+constexpr Wide nearest_scaled_sqrt(const Wide& n) noexcept {
+  static_assert(is_to_nearest<R>);
+  if constexpr (Shift >= 0) {
+    return nearest_sqrt_below<Bits + Shift>(n << Shift);
+  } else {
+    constexpr int up = Shift == -1 ? 1 : 0;
+    constexpr int down = larger(-Shift - 2, 0);
+    const Wide quarters = n << up >> down;
+    const Wide nearest = nearest_sqrt_below<larger(Bits + up - down, 1)>(quarters);
+    const Wide square = nearest * nearest;
+    const Wide halves = quarters < square ? nearest - Wide{1} : nearest;
+    const Wide floor = halves >> 1;
+    const bool is_tie = square == quarters && quarters << down == n << up;
+    const bool goes_up = !is_tie || R != rounding::half_even || is_odd(floor);
+    return floor + Wide{is_odd(halves) && goes_up};
+  }
+}
+
+}  // namespace fixproof::detail
