@@ -97,8 +97,9 @@ inline void put(const std::array<word, Count>& words, place from) noexcept {
 ///
 /// The log keeps a hash of each block of 1,024 records and of all blocks so far, and appends them
 /// to the file in pages with checksums. It takes 3 KiB of memory, and up to 2 MiB for the names of
-/// marks and sources, however long the run is. If the file cannot be opened or written, good()
-/// returns false, and the program continues as without a log.
+/// marks and sources, however long the run is. If the file cannot be opened or written, or another
+/// log writes it, good() returns false, and the program continues as without a log. So does a child
+/// process that inherits the log from fork().
 class log {
  public:
   /// Opens a log and replaces the file at `path`. Until it is destroyed, an older log of this
@@ -134,7 +135,9 @@ class log {
   log& operator=(log&&) = delete;
 
   /// Tells whether everything so far was written.
-  [[nodiscard]] bool good() const noexcept { return file_.good(); }
+  [[nodiscard]] bool good() const noexcept { return *problem() == '\0'; }
+  /// Returns why nothing more is written, such as "the file cannot be written", or an empty text.
+  [[nodiscard]] const char* problem() const noexcept { return file_.problem(); }
 
  private:
   friend void frame(std::int64_t number) noexcept;
