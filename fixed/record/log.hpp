@@ -10,6 +10,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "fixed/detail/inlining.hpp"
 #include "fixed/record/hash.hpp"
 #include "fixed/record/layout.hpp"
 #include "fixed/record/options.hpp"
@@ -72,7 +73,7 @@ void put_input(double x) noexcept;
 
 /// Adds a record to the hash of the block.
 template <std::size_t Count>
-inline void put(const std::array<word, Count>& words, place from) noexcept {
+FIXED_INLINE inline void put(const std::array<word, Count>& words, place from) noexcept {
   static_assert(Count % 2 == 0 && Count <= max_record_words);
   // A sum does not depend on the order, and compilers choose which operand of an operator they
   // compute first.
