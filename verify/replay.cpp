@@ -9,6 +9,7 @@
 
 #include "support/plain_text.hpp"
 #include "verify/cases/words.hpp"
+#include "verify/parties/library.hpp"
 
 namespace fixproof::verify {
 
@@ -79,7 +80,7 @@ std::string trace_line(const cases::Variant& v, std::span<const std::uint32_t> w
                      routine_options(v, rounding), cases::hex_words(words, cases::operand_bits(v)));
 }
 
-Replay replay(const cases::Row& row, const Mismatch& mismatch) {
+Replay replay(const cases::Row& row, const Mismatch& mismatch, const RowCases& among) {
   const cases::Variant& v = row.variant;
   const auto& words = mismatch.smallest.empty() ? mismatch.words : mismatch.smallest;
   const auto& said = mismatch.said;
@@ -87,12 +88,18 @@ Replay replay(const cases::Row& row, const Mismatch& mismatch) {
   std::vector<std::string> parties = row.parties;
   for (std::size_t i = 1; i < said.size() && !result.differs; ++i) {
     if (are_equal(said[i].second, said[0].second)) continue;
-    parties = {said[0].first, said[i].first};
+    std::erase_if(parties, [&](const std::string& party) {
+      return party != said[0].first && party != said[i].first && !parties::names_function(party);
+    });
     result.differs = true;
   }
+  const std::string cases =
+      said.empty() || result.differs
+          ? fmt::format("--case '{}'", cases::hex_words(words, cases::operand_bits(v)))
+          : fmt::format("--level {} --seed {}", among.level, among.seed);
   result.verify = fmt::format(
-      "fixproof verify {}{} --case '{}' --by {} --against {}", cases::name_of(v.operation),
-      row_options(v), cases::hex_words(words, cases::operand_bits(v)), shell_word(parties.front()),
+      "fixproof verify {}{} {} --by {} --against {}", cases::name_of(v.operation), row_options(v),
+      cases, shell_word(parties.front()),
       shell_word(fmt::format("{}", fmt::join(parties.begin() + 1, parties.end(), ","))));
   const bool has_model = std::ranges::any_of(
       parties, [](const std::string& party) { return party == "model" || party == "interpreter"; });

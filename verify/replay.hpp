@@ -17,14 +17,22 @@ std::string trace_line(const cases::Variant& variant, std::span<const std::uint3
 
 /// The commands that repeat a mismatch, as a shell reads them.
 struct Replay {
-  std::string verify;  ///< `fixproof verify --case`
-  std::string trace;   ///< `fixproof trace`; empty unless the model is compared and can be traced
-  /// Whether `verify` is known to differ. It compares the judged party and the first that answers
-  /// otherwise. If none does, as the case was one of many in an array, it compares all parties.
-  bool differs = false;
+  /// `fixproof verify --case` for the judged party and the first that answers otherwise, with all
+  /// functions of libraries, because one may spoil the answers of others. If none answers
+  /// otherwise, as the case was one of many in an array or a function keeps a state, `fixproof
+  /// verify` for the whole row.
+  std::string verify;
+  std::string trace;     ///< `fixproof trace`; empty unless the model is compared and can be traced
+  bool differs = false;  ///< Whether the parties answered the case differently alone.
 };
 
-/// Returns the commands for the smallest case of the mismatch.
-Replay replay(const cases::Row& row, const Mismatch& mismatch);
+/// The cases of a row.
+struct RowCases {
+  int level = 1;
+  std::uint64_t seed = 1994;
+};
+
+/// Returns the commands for the smallest case of the mismatch, which was found among these cases.
+Replay replay(const cases::Row& row, const Mismatch& mismatch, const RowCases& among = {});
 
 }  // namespace fixproof::verify

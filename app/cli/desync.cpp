@@ -50,7 +50,8 @@ void print_log(const char* side, const LogFile& log) {
                            support::printable(made));
   if (!log.is_complete()) {
     std::cout << fmt::format(
-        "   not closed: the program was killed, or it still runs{}\n",
+        "   not closed: the program was killed, it still runs, or a child process went on for "
+        "it{}\n",
         log.torn_bytes() == 0
             ? ""
             : fmt::format("; {} at the end", count_of(log.torn_bytes(), "torn byte")));
@@ -98,11 +99,42 @@ void print_side(const char* name, LogFile& log, const Side& side) {
 const char* explanation(Verdict verdict) {
   switch (verdict) {
     case Verdict::input:
-      return "The numbers that enter differ: check how the programs compute or read them, and\n"
-             "which options they are compiled with.";
+      return "The numbers that enter differ: check how the programs compute or read them, in "
+             "which\n"
+             "order, and which options they are compiled with.";
+    case Verdict::evaluation:
+      return "The two values were computed in another order, as by unspecified evaluation of "
+             "arguments.\n"
+             "C++ leaves this order to the compiler: compute each value in a statement of its own.";
+    case Verdict::swapped:
+      return "The operands are swapped: both sides have the same ones, in different places. Either "
+             "the\n"
+             "sources differ, or the compilers choose different operands to compute first, and "
+             "each\n"
+             "takes the next value of one source, such as a random generator. The logs cannot "
+             "tell.";
+    case Verdict::moved:
+      return "The same values are in another order: both sides computed them in one order, and "
+             "use\n"
+             "them in different places. The compilers may choose different arguments to compute "
+             "first,\n"
+             "each of which takes the next value of one source, or the values may be in memory in\n"
+             "another order. The logs cannot tell.";
+    case Verdict::integer:
+      return "An operand differs that is an integer. Integers are not recorded: check how the\n"
+             "programs compute it.";
     case Verdict::operands:
-      return "The operands differ, although every recorded operation before this one is equal. A\n"
-             "value came from memory that was loaded or copied, or from an uninitialised variable.";
+      return "The operands differ, although every recorded operation before this one is equal. "
+             "The\n"
+             "logs cannot tell why. The value may come from memory that was loaded or copied, from "
+             "an\n"
+             "uninitialised variable, from a constant, or from a choice between two values.";
+    case Verdict::accumulator:
+      return "The sums in the accumulators differ, although every recorded operation before this "
+             "one\n"
+             "is equal. The logs cannot tell why. An accumulator may be copied or uninitialised, "
+             "or\n"
+             "another one may have got the terms.";
     case Verdict::arithmetic:
       return "The results differ for the same operands: the arithmetic is not the same.";
     case Verdict::order:
@@ -111,13 +143,25 @@ const char* explanation(Verdict verdict) {
     case Verdict::type:
       return "The number types differ: the programs are compiled with different formats or rules, "
              "or\n"
-             "they take different branches from here.";
+             "they take different branches from here. The logs cannot tell.";
     case Verdict::path:
-      return "The operations differ: the programs take different branches from here. An earlier\n"
-             "branch or loop depends on something that is not recorded.";
+      return "The operations differ. The programs may take different branches from here, because\n"
+             "something differs that is not recorded. A compiler may compute a constant that the "
+             "other\n"
+             "program computes, or choose another argument to compute first. The logs cannot tell.";
     default:
       return "";
   }
+}
+
+/// Says which operations computed the two values.
+std::string origin_text(const desync::Origin& origin) {
+  const auto line = [](const desync::Value& value, desync::word in_a, desync::word in_b) {
+    return fmt::format("{} is the result of operation {} of A and of operation {} of B.\n",
+                       desync::text_of(value), support::grouped(in_a), support::grouped(in_b));
+  };
+  return line(origin.of_a, origin.of_a_in_a, origin.of_a_in_b) +
+         line(origin.of_b, origin.of_b_in_a, origin.of_b_in_b);
 }
 
 void print_hint(const Comparison& found, bool rollback) {
@@ -170,6 +214,7 @@ int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
   print_side("A", a, found.a);
   print_side("B", b, found.b);
   std::cout << explanation(found.verdict) << '\n';
+  if (found.origin) std::cout << origin_text(*found.origin);
   return 1;
 }
 

@@ -77,7 +77,8 @@ std::string aligned(const std::vector<Line>& lines) {
 }
 
 /// Formats the recorded mismatches of a row. Cases that shrink to the same case appear once.
-std::string mismatch_lines(const cases::Row& row, const verify::Findings& found) {
+std::string mismatch_lines(const cases::Row& row, const verify::Findings& found,
+                           const verify::RowCases& among) {
   std::vector<const verify::Mismatch*> distinct;
   std::map<std::vector<std::uint32_t>, std::size_t> alike;
   for (const verify::Mismatch& m : found.shown) {
@@ -91,7 +92,7 @@ std::string mismatch_lines(const cases::Row& row, const verify::Findings& found)
                         cases::decimal_words(row.variant, words));
     if (!m->said.empty()) text += fmt::format(": {}", grouped_answers(m->said));
     if (alike[words] > 1) text += fmt::format("; {} cases shrink to it", alike[words]);
-    const verify::Replay again = verify::replay(row, *m);
+    const verify::Replay again = verify::replay(row, *m, among);
     if (!m->said.empty() && !again.differs) text += "; alone, this case does not differ";
     text += fmt::format("\n  replay: {}\n", again.verify);
     if (!again.trace.empty()) text += fmt::format("  trace: {}\n", again.trace);
@@ -191,7 +192,8 @@ std::string table(const verify::Report& report) {
   const std::vector<bool> unfinished = unfinished_rows(report);
   for (std::size_t i = 0; i < report.findings.size(); ++i) {
     lines.push_back(line_of(report.plan.rows()[i], report.findings[i], unfinished[i]));
-    mismatches += mismatch_lines(report.plan.rows()[i], report.findings[i]);
+    mismatches += mismatch_lines(report.plan.rows()[i], report.findings[i],
+                                 {report.plan.level(), report.plan.seed()});
   }
   return aligned(lines) + '\n' + mismatches + (mismatches.empty() ? "" : "\n") + totals(report) +
          maker_lines(report) + verdict(report);

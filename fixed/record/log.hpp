@@ -10,6 +10,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "fixed/detail/inlining.hpp"
 #include "fixed/record/hash.hpp"
 #include "fixed/record/layout.hpp"
 #include "fixed/record/options.hpp"
@@ -72,7 +73,7 @@ void put_input(double x) noexcept;
 
 /// Adds a record to the hash of the block.
 template <std::size_t Count>
-inline void put(const std::array<word, Count>& words, place from) noexcept {
+FIXED_INLINE inline void put(const std::array<word, Count>& words, place from) noexcept {
   static_assert(Count % 2 == 0 && Count <= max_record_words);
   // A sum does not depend on the order, and compilers choose which operand of an operator they
   // compute first.
@@ -97,8 +98,9 @@ inline void put(const std::array<word, Count>& words, place from) noexcept {
 ///
 /// The log keeps a hash of each block of 1,024 records and of all blocks so far, and appends them
 /// to the file in pages with checksums. It takes 3 KiB of memory, and up to 2 MiB for the names of
-/// marks and sources, however long the run is. If the file cannot be opened or written, good()
-/// returns false, and the program continues as without a log.
+/// marks and sources, however long the run is. If the file cannot be opened or written, or another
+/// log writes it, good() returns false, and the program continues as without a log. So does a child
+/// process that inherits the log from fork().
 class log {
  public:
   /// Opens a log and replaces the file at `path`. Until it is destroyed, an older log of this
@@ -134,7 +136,9 @@ class log {
   log& operator=(log&&) = delete;
 
   /// Tells whether everything so far was written.
-  [[nodiscard]] bool good() const noexcept { return file_.good(); }
+  [[nodiscard]] bool good() const noexcept { return *problem() == '\0'; }
+  /// Returns why nothing more is written, such as "the file cannot be written", or an empty text.
+  [[nodiscard]] const char* problem() const noexcept { return file_.problem(); }
 
  private:
   friend void frame(std::int64_t number) noexcept;

@@ -102,7 +102,7 @@ inline void note_long(word first, place from, const std::array<value, Operands>&
 /// Records one or two operands that have the type of the result. The second one may be an integer
 /// of 32 bits.
 template <kind K, class Number>
-inline void note_short(place from, word a, word b, Number result) noexcept {
+FIXED_INLINE inline void note_short(place from, word a, word b, Number result) noexcept {
   constexpr word tag = type_code<Number> | static_cast<std::uint32_t>(K);
   const word c = bits_of(result.raw());
   if constexpr (sizeof(typename Number::raw_type) == 8) {
@@ -114,13 +114,14 @@ inline void note_short(place from, word a, word b, Number result) noexcept {
 
 /// Records a number that comes from outside.
 template <kind K, class Number>
-inline void note_input(place from, Number x) noexcept {
+FIXED_INLINE inline void note_input(place from, Number x) noexcept {
   note_short<K>(from, 0, 0, x);
 }
 
 /// Records an operation whose operands are numbers and integers.
 template <kind K, class Number, class Result, class... Operands>
-inline void note_exact(place from, const Result& result, const Operands&... operands) noexcept {
+FIXED_INLINE inline void note_exact(place from, const Result& result,
+                                    const Operands&... operands) noexcept {
   if constexpr (std::same_as<Result, Number>) {
     if constexpr (sizeof...(Operands) <= 2 && (std::same_as<Operands, Number> && ...)) {
       static_assert(sizeof...(Operands) == short_operands(K), "desync would show other operands");
@@ -128,7 +129,7 @@ inline void note_exact(place from, const Result& result, const Operands&... oper
       note_short<K>(from, raw[0], raw[1], result);
       return;
     } else if constexpr (has_integer(K)) {
-      const auto write = [&](Number a, auto b) {
+      const auto write = [&](Number a, auto b) FIXED_INLINE {
         if (!std::in_range<std::int32_t>(b)) return false;
         note_short<K>(from, bits_of(a.raw()), bits_of(b), result);
         return true;
@@ -142,7 +143,8 @@ inline void note_exact(place from, const Result& result, const Operands&... oper
 
 /// Records an operation of the type `Number`.
 template <kind K, class Number, class Result, class... Operands>
-inline void note(place from, const Result& result, const Operands&... operands) noexcept {
+FIXED_INLINE inline void note(place from, const Result& result,
+                              const Operands&... operands) noexcept {
   if constexpr ((std::floating_point<Operands> || ...)) {
     (put_input(static_cast<double>(operands)), ...);
     note_input<K>(from, result);
@@ -173,7 +175,8 @@ inline void note_throw(place from, const Operands&... operands) noexcept {
 
 /// Returns `compute(operands...)`, and records the operation except in constant expressions.
 template <kind K, class Number, class Compute, class... Operands>
-constexpr auto logged(place from, const Compute& compute, const Operands&... operands) {
+FIXED_INLINE constexpr auto logged(place from, const Compute& compute,
+                                   const Operands&... operands) {
   if (std::is_constant_evaluated()) return compute(operands...);
 #if defined(__cpp_exceptions)
   if constexpr (!Number::never_throws || !Number::multiply_never_throws ||

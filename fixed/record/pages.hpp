@@ -5,40 +5,26 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <string>
 #include <string_view>
 
+#include "fixed/record/file.hpp"
 #include "fixed/record/hash.hpp"
 #include "fixed/record/layout.hpp"
 
 namespace fixproof::record {
 
 /// Appends pages to a file. After an error it writes nothing more, so a log has no gaps.
-// NOLINTBEGIN(cppcoreguidelines-owning-memory): this class owns the file
 class page_file {
  public:
   /// Opens the file to write it anew.
-  explicit page_file(const char* path) noexcept : file_(std::fopen(path, "wb")) {
-    // Without a buffer, every page is written at once, so that no page is lost if the program is
-    // killed.
-    if (file_ != nullptr) std::setvbuf(file_, nullptr, _IONBF, 0);
-  }
-  ~page_file() {
-    if (file_ != nullptr) std::fclose(file_);
-  }
-  page_file(const page_file&) = delete;
-  page_file(page_file&&) = delete;
-  page_file& operator=(const page_file&) = delete;
-  page_file& operator=(page_file&&) = delete;
+  explicit page_file(const char* path) noexcept : file_(path) {}
 
-  /// Tells whether the file was opened and every page was written.
-  [[nodiscard]] bool good() const noexcept { return file_ != nullptr; }
+  /// Returns why nothing more is written, or an empty text.
+  [[nodiscard]] const char* problem() const noexcept { return file_.problem(); }
 
   /// Appends a page. Sets its second word to the number of the page, and its eighth to the
   /// checksum.
   void append(std::array<word, page_words>& page) noexcept {
-    if (file_ == nullptr) return;
     page[1] = pages_++;
     page[7] = 0;
     page[7] = hash_words(page.data(), page.size());
@@ -46,16 +32,13 @@ class page_file {
     for (std::size_t i = 0; i < bytes.size(); ++i) {
       bytes[i] = static_cast<unsigned char>(page[i / 8] >> (8 * (i % 8)) & 0xff);
     }
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) == bytes.size()) return;
-    std::fclose(file_);
-    file_ = nullptr;
+    file_.write(bytes.data(), bytes.size());
   }
 
  private:
-  std::FILE* file_;
+  sole_file file_;
   word pages_ = 0;
 };
-// NOLINTEND(cppcoreguidelines-owning-memory)
 
 /// Puts a text into the contents of a page, eight characters to a word, the first one lowest. Cuts
 /// off what does not fit. Returns the length.

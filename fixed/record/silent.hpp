@@ -48,6 +48,7 @@ class log {
   log& operator=(log&&) = delete;
 
   [[nodiscard]] static constexpr bool good() noexcept { return true; }
+  [[nodiscard]] static constexpr const char* problem() noexcept { return ""; }
 };
 
 constexpr void frame(std::int64_t /*number*/) noexcept {}

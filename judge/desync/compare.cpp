@@ -23,21 +23,6 @@ constexpr std::size_t order_of_operands = 8;
 /// this many blocks in all.
 constexpr word later_blocks = 8;
 
-/// Tells whether both sides apply the same two operations to one value in a different order, as in
-/// x + a + b and x + b + a.
-bool are_swapped(const Operation& a, const Operation& a_next, const Operation& b,
-                 const Operation& b_next) {
-  const auto is_binary = [](const Operation& o) {
-    return o.operands.size() == 2 && o.results.size() == 1;
-  };
-  if (!is_binary(a) || !is_binary(a_next) || !is_binary(b) || !is_binary(b_next)) return false;
-  const auto is_same = [](const Operation& x, const Operation& y) {
-    return x.kind == y.kind && x.type == y.type && x.operands[1] == y.operands[1];
-  };
-  return is_same(a, b_next) && is_same(a_next, b) && a.operands[0] == b.operands[0] &&
-         a_next.operands[0] == a.results[0] && b_next.operands[0] == b.results[0];
-}
-
 /// Skips the records that both sides have, at the same index or within a few records.
 /// @return the first index that remains on each side
 std::pair<std::size_t, std::size_t> first_unmatched(const std::vector<Record>& a,
@@ -79,36 +64,6 @@ bool are_counterparts(const std::vector<Record>& a, std::size_t i, const std::ve
          record::kind_of(a[i].words[0]) == record::kind_of(b[j].words[0]);
 }
 
-/// Tells whether an operation makes a number from something other than numbers.
-bool enters(const Operation& o) {
-  return o.kind == record::kind::from_raw ||
-         std::ranges::all_of(o.operands, [](const Value& operand) {
-           return (operand.type & 0xff) == static_cast<word>(record::value_class::integer);
-         });
-}
-
-Verdict judge(const Side& a, const Side& b) {
-  const std::size_t i = *a.index;
-  const std::size_t j = *b.index;
-  const Operation x = operation_of(a.records[i].words);
-  const Operation y = operation_of(b.records[j].words);
-  if (!record::is_operation(x.kind) || !record::is_operation(y.kind)) return Verdict::path;
-  if (x == y) return Verdict::path;  // one side has the operation more often
-  const bool is_same_operation = x.kind == y.kind && x.type == y.type;
-  if (is_same_operation && x.operands == y.operands) {
-    const bool is_read = x.kind == record::kind::convert || x.kind == record::kind::from_text;
-    return is_read && x.operands.empty() ? Verdict::input : Verdict::arithmetic;
-  }
-  if (i + 1 < a.records.size() && j + 1 < b.records.size() &&
-      are_swapped(x, operation_of(a.records[i + 1].words), y,
-                  operation_of(b.records[j + 1].words))) {
-    return Verdict::order;
-  }
-  if (x.kind != y.kind) return Verdict::path;
-  if (x.type != y.type) return Verdict::type;
-  return enters(x) && enters(y) ? Verdict::input : Verdict::operands;
-}
-
 /// @param end the number of the block after the run or the frame
 Side side_of(LogFile& log, word block, word end) {
   Side side;
@@ -141,7 +96,9 @@ void look_into(Comparison& comparison) {
   if (i < a.records.size()) a.index = i;
   if (j < b.records.size()) b.index = j;
   if (a.index && b.index) {
-    comparison.verdict = judge(a, b);
+    const Cause cause = cause_of(a.records, i, b.records, j);
+    comparison.verdict = cause.verdict;
+    comparison.origin = cause.origin;
     return;
   }
   const bool is_cut = (!a.index && a.ends_run) || (!b.index && b.ends_run);

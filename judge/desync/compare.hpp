@@ -7,24 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "judge/desync/cause.hpp"
 #include "judge/desync/log_file.hpp"
-#include "judge/desync/values.hpp"
 
 namespace fixproof::desync {
-
-/// What differs first.
-enum class Verdict {
-  equal,       ///< Nothing, as far as both logs reach.
-  block,       ///< A block whose records are not in both logs.
-  input,       ///< A number that enters: from raw bits, text, an integer or floating point.
-  operands,    ///< The operands of the same operation: the states differ.
-  arithmetic,  ///< The results of the same operation with the same operands.
-  order,       ///< The order of two operations on one value.
-  type,        ///< The type of the numbers: its format or its rules.
-  path,        ///< The operations themselves: the programs took different branches.
-  ended,       ///< Nothing before the block in which one run ended, and nothing in that block if
-               ///< both logs have its records.
-};
 
 /// One run, at the difference.
 struct Side {
@@ -38,9 +24,10 @@ struct Side {
 /// What compare() finds.
 struct Comparison {
   Verdict verdict = Verdict::equal;
-  word blocks = 0;      ///< Blocks that both logs have; with rollback, frames.
-  word operations = 0;  ///< Number of equal operations, if none differs.
-  word steps = 0;       ///< Number of comparisons.
+  std::optional<Origin> origin;  ///< Where the operands that differ were computed.
+  word blocks = 0;               ///< Blocks that both logs have; with rollback, frames.
+  word operations = 0;           ///< Number of equal operations, if none differs.
+  word steps = 0;                ///< Number of comparisons.
   Side a;
   Side b;
 };

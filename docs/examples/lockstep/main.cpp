@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   }
   const fixproof::record::log log(argv[1], {.program = "lockstep"});
   if (!log.good()) {
-    std::fprintf(stderr, "lockstep: cannot write %s\n", argv[1]);
+    std::fprintf(stderr, "lockstep: %s: %s\n", argv[1], log.problem());
     return 2;
   }
   World world = new_world();

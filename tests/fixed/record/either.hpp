@@ -30,7 +30,9 @@ inline std::int32_t run_either(const std::string& path) {
   }
   const record::position here = record::where();
   if (options.full.to_text() != "nothing") return 0;
-  if (!(here == record::where()) || here.records > 100 || !log.good()) return 0;
+  if (!(here == record::where()) || here.records > 100 || !log.good() || *log.problem() != '\0') {
+    return 0;
+  }
   const q16_16 plain(x);
   return plain.raw();
 }

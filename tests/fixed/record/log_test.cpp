@@ -306,6 +306,7 @@ TEST_F(Log, OfAFullDiskDoesNotStopTheProgram) {
   const record::log log("/dev/full");
   add(100000);
   EXPECT_FALSE(log.good());
+  EXPECT_STREQ(log.problem(), "the file cannot be written");
 }
 
 TEST_F(Log, HasTheDoubleWhoseConversionThrows) {

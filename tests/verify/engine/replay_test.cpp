@@ -139,7 +139,9 @@ TEST(Replay, SelectsTheVariantWhereAllAgree) {
       v.format = format;
       const std::vector<const parties::Party*> able = able_parties(v);
       if (able.size() < 2) continue;
-      const verify::Replay again = replay_of(v, able);
+      verify::Mismatch mismatch;
+      mismatch.words = case_of(v);
+      const verify::Replay again = verify::replay(parties::row_of(v, able), mismatch);
       EXPECT_FALSE(again.differs);
       const Shell result = shell(again.verify);
       EXPECT_EQ(result.status, 0) << again.verify << '\n' << result.out;
@@ -168,12 +170,36 @@ TEST(Replay, NamesTheJudgedPartyAndTheFirstThatDiffers) {
   // A broken run agrees with nothing.
   mismatch.said = {{"interpreter", "breaks down"}, {"model", "breaks down"}, {"oracle", "fe80"}};
   EXPECT_EQ(verify::replay(row, mismatch).verify, line("interpreter --against model"));
-  // All of them where the answers are not known, or this case shows no difference.
-  mismatch.said = {{"interpreter", "DE"}, {"model", "DE"}, {"oracle", "DE"}, {"fast", "DE"}};
-  EXPECT_EQ(verify::replay(row, mismatch).verify, line("interpreter --against model,oracle,fast"));
+  // All of them where the answers are not known.
   mismatch.said.clear();
   EXPECT_EQ(verify::replay(row, mismatch).verify, line("interpreter --against model,oracle,fast"));
   EXPECT_EQ(verify::replay(row, mismatch).trace, "");
+}
+
+TEST(Replay, RunsTheWholeRowWhereTheCaseAloneShowsNoDifference) {
+  const cases::Row row{half, {"interpreter", "model", "fast"}};
+  verify::Mismatch mismatch;
+  mismatch.words = {0x1234, 0x5678};
+  mismatch.said = {{"interpreter", "DE"}, {"model", "DE"}, {"fast", "DE"}};
+  const verify::Replay again = verify::replay(row, mismatch, {.level = 2, .seed = 77});
+  EXPECT_FALSE(again.differs);
+  EXPECT_EQ(again.verify,
+            "fixproof verify mul --target i386 --round on --chapter 54 --width half --level 2 "
+            "--seed 77 --by interpreter --against model,fast");
+}
+
+TEST(Replay, RunsAllFunctionsOfLibraries) {
+  const cases::Row row{half, {"oracle", "fast", "type", "./a.so:mul", "./b.so:mul"}};
+  verify::Mismatch mismatch;
+  mismatch.words = {0x1234, 0x5678};
+  // A function may spoil the answers of others, by a rounding mode for instance.
+  mismatch.said = {{"oracle", "0001"},
+                   {"fast", "0001"},
+                   {"type", "0002"},
+                   {"./a.so:mul", "0001"},
+                   {"./b.so:mul", "0001"}};
+  const std::string line = verify::replay(row, mismatch).verify;
+  EXPECT_TRUE(line.ends_with(" --by oracle --against type,./a.so:mul,./b.so:mul")) << line;
 }
 
 TEST(Replay, QuotesTheNamesOfLibraries) {

@@ -1,6 +1,7 @@
 // Functions for `fixproof verify --against ./libjudged.so:NAME`: right ones, wrong ones and ones
 // that fault.
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -102,6 +103,18 @@ void cossin_wrong(std::int16_t /*angle*/, std::int32_t* cos, std::int32_t* sin) 
 void transform_wrong(const std::int32_t* /*matrix*/, const std::int32_t* /*operand*/,
                      std::int32_t* result) {
   result[0] = 0x5bd1e995;
+}
+
+/// Wrong in every thousandth call.
+std::int32_t mul_at_times(std::int32_t a, std::int32_t b) {
+  static std::atomic<unsigned> calls = 0;
+  return mul(a, b) + (++calls % 1000 == 0 ? 1 : 0);
+}
+
+/// Right in the first call of the program.
+std::int32_t mul_at_first(std::int32_t a, std::int32_t b) {
+  static std::atomic<bool> was_called = false;
+  return mul(a, b) + (was_called.exchange(true) ? 1 : 0);
 }
 
 /// Wrong only where it follows another element.
