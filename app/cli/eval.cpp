@@ -9,6 +9,7 @@
 #include "app/cli/lines.hpp"
 #include "app/cli/options.hpp"
 #include "app/cli/selection.hpp"
+#include "app/cli/words.hpp"
 #include "support/usage_error.hpp"
 #include "verify/cases/words.hpp"
 #include "verify/parties/party.hpp"
@@ -83,7 +84,7 @@ int run(const EvalOptions& options) {
   const auto taken = std::span(in).first(cases::words_in(variant));
   const auto given = std::span(out).first(cases::words_out(variant));
   answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {
-    cases::parse_words(line, variant, taken);
+    read_words(line, variant, taken);
     std::array<parties::Ending, 1> ending{};
     party.answer(variant, {taken, given, ending});
     append_answer(output, ending[0], given, variant.format.word_bits);
@@ -120,14 +121,15 @@ void add_eval(CLI::App& app, int& status) {
       ->check(not_empty());
   options->variant.add_to(*command);
   command->footer(
-      R"(Words are 8 lower-case hex digits of two's complement, separated by single spaces:
+      R"(Operands are numbers such as 1.5, -2e3 or 0x18000, or words of 8 hex digits of two's complement
+(docs/formats.md has the rule). Spaces, tabs or commas separate them. Results are words:
   mul, div   a b                             -> one word, DE for a divide error
   add, sub   a b                             -> one word
   pow, hypot, atan2   a b                    -> one word; atan2 takes y x
   fmod, remainder   a b                      -> one word, DE for a zero divisor
   mul_div    a b c                           -> the word of a x b / c, DE for a zero divisor
   hypot3     a b c                           -> one word
-  cossin     an angle in tenths, 4 digits    -> cosine and sine
+  cossin     an angle in tenths, or 4 digits -> cosine and sine
   xformvec   12 words, row-major, then x y z -> 3 words
   concat     12 words, then 12               -> 12 words
   others     one word                        -> one word; sin and cos take radians
@@ -135,7 +137,8 @@ With --format, words have a hex digit for every four bits of the format.
 Blank lines and lines that start with # are skipped.
 
 Examples:
-  echo 00018000 00028000 | fixproof eval mul            # 1.5 x 2.5: 0003c000
+  echo 1.5 2.5 | fixproof eval mul                      # 0003c000
+  echo 00018000 00028000 | fixproof eval mul            # the same
   echo 00010000 0000ffff | fixproof eval div --target i8088   # divisor below 1: DE
   echo 00010000 | fixproof eval sin                     # sine of one radian: 0000d76b
   echo 01c2 | fixproof eval cossin --by type            # 45.0 degrees

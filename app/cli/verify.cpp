@@ -15,6 +15,7 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/selection.hpp"
 #include "app/cli/table.hpp"
+#include "app/cli/words.hpp"
 #include "support/file.hpp"
 #include "support/interrupt.hpp"
 #include "support/output_file.hpp"
@@ -56,7 +57,7 @@ int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows)
   int status = 0;
   for (const cases::Row& row : rows) {
     std::vector<std::uint32_t> words(cases::words_in(row.variant));
-    cases::parse_words(options.words, row.variant, words);
+    read_words(options.words, row.variant, words);
     std::vector<parties::Answer> answers;
     std::vector<std::pair<std::string, std::string>> said;
     for (const std::string& name : row.parties) {
@@ -66,7 +67,7 @@ int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows)
     const bool equal = parties::agree(answers);
     if (!equal) status = 1;
     std::cout << fmt::format("{}: {} ({}): {}: {}\n", cases::name_of(row.variant),
-                             support::printable(options.words),
+                             cases::hex_words(words, cases::operand_bits(row.variant)),
                              cases::decimal_words(row.variant, words), grouped_answers(said),
                              equal ? "equal" : "DIFFER");
   }
@@ -278,7 +279,7 @@ void add_options(CLI::App& command, VerifyOptions& options) {
   command.add_option("--max-reports", options.max_reports, "number of mismatches to show per row")
       ->transform(whole_number(0, verify::max_reports))
       ->capture_default_str();
-  command.add_option("--case", options.words, "compare only this case, given as words in hex")
+  command.add_option("--case", options.words, "compare only this case, given as for eval")
       ->check(not_empty())
       ->excludes(shard)
       ->excludes(resume)
