@@ -273,9 +273,10 @@ void add_options(CLI::App& command, VerifyOptions& options) {
   auto* accept = command.add_flag("--accept-other-builds", options.accept_other_builds,
                                   "resume even if another build or other parties made the state");
   accept->needs(resume);
-  auto* report =
-      command.add_option("--report", options.report, "write the results to this file as JSON")
-          ->check(not_empty());
+  auto* report = command
+                     .add_option("--report", options.report,
+                                 "write the results to this file as JSON; - is standard output")
+                     ->transform(output_file());
   command.add_option("--max-reports", options.max_reports, "number of mismatches to show per row")
       ->transform(whole_number(0, verify::max_reports))
       ->capture_default_str();
