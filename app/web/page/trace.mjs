@@ -88,7 +88,7 @@ const cell = ({ address, value, changed, sp, depth }, loop) =>
 const returned = ({ word, value }) => html`<span class="code">${word}</span> (${short(value, 24)}) `;
 
 function runView(run, now) {
-  const memory = run.loop ? "Pixels and depths" : "Stack and operands in memory";
+  const memory = `${run.loop ? "Pixels and depths" : "Stack and operands in memory"}, ${buildName(run.name)}`;
   const ending = !run.returns ? html`<strong>${run.ending}</strong>`
     : run.result.length ? html`Returns ${run.result.map(returned)}` : run.ending;
   return html`<article class="run">

@@ -160,6 +160,9 @@ def met(driver, faint):
             expect_equal("".join(problems), "", f"{view}: problems")
             wide = driver.execute_script("return document.documentElement.scrollWidth")
             expect(wide <= width, f"{view} at {width} is {wide} wide")
+            regions = driver.execute_script(
+                "return [...document.querySelectorAll('#view [role=region]')].map((e) => e.getAttribute('aria-label'))")
+            expect_equal(len(set(regions)), len(regions), f"{view}: regions of one name: {regions}")
             expect_equal(driver.execute_script(faint), [], f"{view}: what is faint")
     wrong = [e for e in driver.get_log("browser") if e["level"] in ("SEVERE", "WARNING")]
     expect(not wrong, f"the console says {wrong}")
