@@ -218,8 +218,10 @@ void add_advise(CLI::App& app, int& status) {
       ->excludes(command->get_option("--cpu"))
       ->excludes(command->get_option("--host"))
       ->excludes(command->get_option("--repaired"));
-  command->add_option("--json", options->json, "write the results to this file as JSON")
-      ->check(not_empty());
+  command
+      ->add_option("--json", options->json,
+                   "write the results to this file as JSON; - is standard output")
+      ->transform(output_file());
   command->footer(
       R"(Tries every routine that the processor can run, with and without rounding of multiplies and of
 divides. Orientations are computed from scratch, or by appending rotations and restoring

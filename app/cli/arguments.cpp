@@ -2,7 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
+#include <filesystem>
+#include <iostream>
 #include <limits>
 #include <string>
 
@@ -33,6 +38,35 @@ void add_seed(CLI::App& command, std::uint64_t& seed) {
 
 CLI::Validator not_empty() {
   return {[](const std::string& text) { return text.empty() ? "the value is empty" : ""; }, ""};
+}
+
+CLI::Validator output_file() {
+  return {[](std::string& text) -> std::string {
+            if (text.empty()) return "the value is empty";
+            if (text == "-") {
+              text = "/dev/stdout";
+              std::cout.flush();
+              std::cout.rdbuf(std::cerr.rdbuf());
+            }
+            return "";
+          },
+          ""};
+}
+
+CLI::Validator picture_file(std::string_view ending) {
+  return {[ending](const std::string& text) -> std::string {
+            if (text.empty()) return "the value is empty";
+            constexpr std::array others{".png",  ".apng", ".svg", ".jpg", ".jpeg", ".gif",
+                                        ".webp", ".bmp",  ".tif", ".pdf", ".tiff", ".pcx",
+                                        ".mp4",  ".webm", ".avi", ".mov", ".mkv",  ".mpg"};
+            std::string name = std::filesystem::path(text).extension().string();
+            for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            const bool is_other = std::find(others.begin(), others.end(), name) != others.end();
+            if (!is_other || name == ending || (name == ".apng" && ending == ".png")) return "";
+            return fmt::format("{}: this option writes no {} file; end the name in {}",
+                               support::printable(text), name, ending);
+          },
+          ""};
 }
 
 }  // namespace fixproof::cli

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <string_view>
 
 namespace fixproof::cli {
 
@@ -16,5 +17,13 @@ void add_seed(CLI::App& command, std::uint64_t& seed);
 
 /// Rejects an empty value, which a script may pass by way of an unset variable.
 CLI::Validator not_empty();
+
+/// Accepts the name of a file that the command writes, and `-` for standard output. What the
+/// command prints as text then goes to standard error. Pass it to transform().
+CLI::Validator output_file();
+
+/// Accepts the name of a picture file, unless it ends as the name of another kind of picture or
+/// film does. `ending` is that of the files written, such as ".png".
+CLI::Validator picture_file(std::string_view ending);
 
 }  // namespace fixproof::cli

@@ -9,6 +9,7 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/port_option.hpp"
 #include "app/cli/rule_named.hpp"
+#include "app/input/number.hpp"
 #include "oracle/format.hpp"
 #include "support/usage_error.hpp"
 
@@ -16,41 +17,27 @@ namespace fixproof::cli {
 
 namespace {
 
-/// Returns the word of a rule that is no name: as many hex digits as a word has, or a number.
-std::uint64_t word_of_rule(std::string_view option, const std::string& text,
-                           const cases::Format& format) {
-  try {
-    if (check::hex_text(0, format).size() == text.size() && text.find('.') == std::string::npos) {
-      return *check::parse_result(text, format);
-    }
-    const auto ulps = check::to_ulps(check::parse_decimal(text), oracle::Rounding::floor, format);
-    const auto wide = format.as<oracle::Format>();
-    const std::uint64_t word = oracle::wrap(ulps, wide);
-    if (oracle::fits(ulps, wide) &&
-        check::to_ulps(check::parse_decimal(text), oracle::Rounding::ceiling, format) == ulps) {
-      return word;
-    }
-  } catch (const support::UsageError& error) {
-    throw support::UsageError(fmt::format("{}: {}", option, error.what()));
-  }
-  throw support::UsageError(
-      fmt::format("{} {}: {} has no such number", option, text, cases::name_of(format)));
-}
-
-/// Sets a rule by its name, or to a word.
+/// Sets a rule by its name, or to the word of a number.
 template <class Rule>
 void set_rule(std::string_view option, const std::string& text, std::span<const Rule> rules,
               const cases::Format& format, Rule& rule, std::uint64_t& word) {
   const bool is_name = text == "any" || std::ranges::any_of(rules, [&](Rule known) {
                          return check::name_of(known) == text;
                        });
-  const bool is_number = text.find_first_not_of("0123456789abcdef.+-") == std::string::npos;
-  if (is_name || !is_number) {
-    rule = rule_named(option, text, rules, std::optional(Rule::any));
+  const input::Number number = input::number_of(text, format, input::Bare::word);
+  if (is_name || !number.error.empty()) {
+    rule = rule_named(option, text, rules, std::optional(Rule::any), "a word or number");
     return;
   }
+  const auto units = cases::to_ulps(number.exact, oracle::Rounding::floor, format);
+  const auto wide = format.as<oracle::Format>();
+  if (!oracle::fits(units, wide) ||
+      units != cases::to_ulps(number.exact, oracle::Rounding::ceiling, format)) {
+    throw support::UsageError(
+        fmt::format("{} {}: {} has no such number", option, text, cases::name_of(format)));
+  }
   rule = Rule::word;
-  word = word_of_rule(option, text, format);
+  word = oracle::wrap(units, wide);
 }
 
 /// Returns the bound of --within: a number of ulps, or a percentage of the exact result.

@@ -204,11 +204,12 @@ void add_drift(CLI::App& app, int& status) {
           ->add_option(
               "--strip", options->strip,
               "write an SVG of one object after 0, 1, 5, 15 and 30 minutes in each arithmetic")
-          ->check(not_empty());
+          ->check(picture_file(".svg"));
   command
       ->add_option("--json", options->json,
-                   "write the results, and how they change over time, to this file as JSON")
-      ->check(not_empty());
+                   "write the results, and how they change over time, to this file as JSON; - is "
+                   "standard output")
+      ->transform(output_file());
   command->add_option("--object", options->request.object, "index of the object that --strip draws")
       ->transform(whole_number(0, 1'000'000))
       ->capture_default_str()

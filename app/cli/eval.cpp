@@ -10,6 +10,7 @@
 #include "app/cli/lines.hpp"
 #include "app/cli/options.hpp"
 #include "app/cli/selection.hpp"
+#include "app/cli/words.hpp"
 #include "judge/check/operands.hpp"
 #include "judge/check/rules.hpp"
 #include "support/usage_error.hpp"
@@ -93,8 +94,12 @@ void answer_exactly(const cases::Variant& variant) {
   } else if (variant.operation == cases::Operation::sqrt) {
     rules.no_result = check::NoResult::zero;
   }
+  std::vector<std::uint32_t> words(cases::words_in(variant));
   answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {
-    const check::Converted operands = check::parse_converted(line, variant);
+    read_words(line, variant, words);
+    std::string plain;
+    cases::append_operands(plain, variant, words);
+    const check::Converted operands = check::parse_converted(plain, variant);
     const bool is_pole =
         variant.operation == cases::Operation::pow && !operands.value && operands.words[0] == 0;
     const check::Said said =
@@ -135,7 +140,7 @@ int run(const EvalOptions& options) {
   const auto taken = std::span(in).first(cases::words_in(variant));
   const auto given = std::span(out).first(cases::words_out(variant));
   answer_lines(std::cin, std::cout, [&](std::string_view line, std::string& output) {
-    cases::parse_words(line, variant, taken);
+    read_words(line, variant, taken);
     std::array<parties::Ending, 1> ending{};
     party.answer(variant, {taken, given, ending});
     append_answer(output, ending[0], given, variant.format.word_bits);
@@ -170,7 +175,8 @@ void add_eval(CLI::App& app, int& status) {
       "oracle in others");
   options->variant.add_to(*command);
   command->footer(
-      R"(Words are 8 lower-case hex digits of two's complement, separated by single spaces:
+      R"(Operands are numbers such as 1.5, -2e3 or 0x18000, or words of 8 hex digits of two's complement
+(docs/formats.md has the rule). Spaces, tabs or commas separate them. Results are words:
   mul, div   a b                             -> one word, DE for a divide error
   add, sub   a b                             -> one word
   pow, hypot, atan2   a b                    -> one word; atan2 takes y x
@@ -180,7 +186,7 @@ void add_eval(CLI::App& app, int& status) {
   mul_add    a b c                           -> the word of a x b + c, rounded once
   lerp       a b t                           -> the word of a + (b - a) x t
   dot        a1 a2 ... b1 b2 ...             -> the word of a1 x b1 + a2 x b2 + ..., see --terms
-  cossin     an angle in tenths, 4 digits    -> cosine and sine
+  cossin     an angle in tenths, or 4 digits -> cosine and sine
   xformvec   12 words, row-major, then x y z -> 3 words
   concat     12 words, then 12               -> 12 words
   others     one word                        -> one word; sin and cos take radians
@@ -188,7 +194,8 @@ With --format, words have the hex digits of the integer of 8, 16, 32 or 64 bits 
 Blank lines and lines that start with # are skipped.
 
 Examples:
-  echo 00018000 00028000 | fixproof eval mul            # 1.5 x 2.5: 0003c000
+  echo 1.5 2.5 | fixproof eval mul                      # 0003c000
+  echo 00018000 00028000 | fixproof eval mul            # the same
   echo 00010000 0000ffff | fixproof eval div --target i8088   # divisor below 1: DE
   echo 00010000 | fixproof eval sin                     # sine of one radian: 0000d76b
   echo 01c2 | fixproof eval cossin --by type            # 45.0 degrees

@@ -11,6 +11,7 @@
 #include "app/cli/judge_text.hpp"
 #include "app/cli/port_option.hpp"
 #include "app/cli/rule_named.hpp"
+#include "app/cli/words.hpp"
 #include "judge/code/clocks.hpp"
 #include "judge/code/code_width.hpp"
 #include "judge/code/inspection.hpp"
@@ -22,7 +23,6 @@
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
-#include "verify/cases/words.hpp"
 
 namespace fixproof::cli {
 
@@ -180,7 +180,7 @@ int trace_case(const judge::Subject& subject, const std::string& operands) {
     throw support::UsageError(fmt::format("--trace: {}", reason));
   }
   std::vector<std::uint32_t> words(words_in(subject.variant));
-  cases::parse_words(operands, subject.variant, words);
+  read_words(operands, subject.variant, words);
   const judge::TraceText trace = judge::trace_text(subject, words);
   std::cout << trace.steps;
   if (trace.ending.end != judge::End::returned) {

@@ -131,7 +131,10 @@ void add_measure(CLI::App& app, int& status) {
       ->capture_default_str()
       ->excludes(accuracy)
       ->excludes(clocks);
-  add_text("--json", options->json, "write the results to this file as JSON");
+  command
+      ->add_option("--json", options->json,
+                   "write the results to this file as JSON; - is standard output")
+      ->transform(output_file());
   command->footer(
       R"(--accuracy compares results with exact integers, by default for 500,000 operands of each kind. With
 --format, it takes the formats that fixed/formats.hpp names, but no scene: its operands are 16.16.

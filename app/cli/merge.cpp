@@ -44,8 +44,10 @@ void add_merge(CLI::App& app, int& status) {
       app.add_subcommand("merge", "add up the reports of the shards of one verification");
   command->add_option("reports", options->files, "files that verify --report or --resume wrote")
       ->required();
-  command->add_option("--report", options->report, "write the sum to this file as JSON")
-      ->check(not_empty());
+  command
+      ->add_option("--report", options->report,
+                   "write the sum to this file as JSON; - is standard output")
+      ->transform(output_file());
   command->add_flag("--accept-other-builds", options->accept_other_builds,
                     "add parts of other builds or other parties; the sum lists them");
   command->footer(

@@ -84,8 +84,10 @@ void add_profile(CLI::App& app, int& status) {
   command->add_option("--target", options->scene.target, "rules of i386 or i8088")
       ->check(CLI::IsMember({"i386", "i8088"}));
   options->surfaces.add_to(*command);
-  command->add_option("--json", options->json, "write the profile to this file as JSON")
-      ->check(not_empty());
+  command
+      ->add_option("--json", options->json,
+                   "write the profile to this file as JSON; - is standard output")
+      ->transform(output_file());
   command->footer(
       R"(Runs the scene on the register-level model. For each routine it reports the number of calls, the
 ranges of operands and results, their distance from overflow, a divide error and the near plane,

@@ -147,6 +147,12 @@ int render(const RenderOptions& options) {
   if (options.show) return player::show_scene(scene, options.true_color, threads);
 
   const std::uint64_t frames = options.scene.frame_count(scene);
+  const player::OutputNames& files = options.outputs;
+  if (files.folder.empty() && files.animation.empty() && files.dump.empty() &&
+      files.digests.empty() && files.beside.empty()) {
+    std::cout << "No picture is written or shown; add --animate FILE.png, --out FOLDER or --show\n"
+              << std::flush;
+  }
   DrawnFrames drawn;
   {
     const support::Interrupt interrupt;
@@ -250,21 +256,21 @@ void add_render(CLI::App& app, int& status) {
   command
       ->add_option("--animate", options->outputs.animation,
                    "write an animated PNG, which browsers play")
-      ->check(not_empty());
+      ->check(picture_file(".png"));
   command
       ->add_option("--dump", options->outputs.dump,
                    "write transforms, vertices and faces as lines of JSON")
-      ->check(not_empty());
+      ->transform(output_file());
   command
       ->add_option("--digests", options->outputs.digests,
                    "write a line for every picture that differs from the one before: the first 16 "
                    "hex digits of the SHA-256 of its palette indices, row by row")
-      ->check(not_empty())
+      ->transform(output_file())
       ->excludes(true_color);
   command
       ->add_option("--beside", options->outputs.beside,
                    "write a PNG of the last frame: as stepped, exact, and where they differ")
-      ->check(not_empty());
+      ->check(picture_file(".png"));
   CLI::Option* show =
       command->add_flag("--show", options->show, "draw in a window until it is closed");
   for (const char* written :
@@ -274,6 +280,8 @@ void add_render(CLI::App& app, int& status) {
   command->footer(
       R"(Keys in the window: space pauses, s or the right arrow steps one frame, 1 or a switches the
 ambient light, 2, 3 and 4 switch the spotlights, r switches the rounding, q or Escape quits.
+
+--dump - and --digests - write to standard output.
 
 Exit status: 0 all frames are drawn, 2 bad usage or an invalid scene, 130 interrupted.
 

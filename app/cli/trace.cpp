@@ -11,6 +11,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/program.hpp"
 #include "app/cli/trace_loop.hpp"
+#include "app/cli/words.hpp"
 #include "support/hex.hpp"
 #include "support/usage_error.hpp"
 #include "verify/parties/not_kept.hpp"
@@ -146,14 +147,10 @@ int run(const TraceOptions& options) {
   Traced traced;
   traced.key = options.program.choose();
   const machine_code::ProgramKey& key = traced.key;
-  const auto wanted = static_cast<std::size_t>(x86::arity(key.routine).in);
-  if (options.words.size() != wanted) {
-    throw support::UsageError(fmt::format("{} takes {} words, not {}", options.program.operation,
-                                          wanted, options.words.size()));
-  }
-  const std::size_t digits = key.routine == x86::Routine::cossin ? 4 : 8;
-  for (const std::string& word : options.words)
-    traced.in.push_back(support::parse_hex(word, digits));
+  const cases::Variant operation{.operation = cases::operation_named(options.program.operation)};
+  traced.in.resize(cases::words_in(operation));
+  read_words(std::vector<std::string_view>(options.words.begin(), options.words.end()), operation,
+             traced.in);
   traced.program = x86::assemble(x86::listing(key.routine, key.target), key.build);
   if (options.mutant != 0) {
     if (options.program.as_scanned)
@@ -178,7 +175,7 @@ void add_trace(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "trace", "show what each instruction of a routine or an inner loop changes");
   options->program.add_to(*command, true);
-  command->add_option("words", options->words, "operands in hex, as for eval");
+  command->add_option("words", options->words, "operands, as for eval");
   command
       ->add_option("--mutant", options->mutant,
                    "use this mutant of the routine; see fixproof mutate")
@@ -188,11 +185,12 @@ void add_trace(CLI::App& app, int& status) {
 With --mutant, registers start with random contents. The last line names the registers that a C
 caller needs and the routine does not preserve.
 
-The words of an inner loop are the number of pixels (1 to 140, hexadecimal), its value and its
-step (EDX, EBP); texture also takes a row and a row step. Pixels are drawn at address 2800. The
+An inner loop takes the number of pixels (1 to 320), its value and its step (EDX, EBP) in 24.8;
+texture also takes a row and a row step. Pixels are drawn at address 2800. The
 depth buffer is all 0, the colour is ff, and a texel is the sum of its row and column.
 
 Examples:
+  fixproof trace mul 1.5 -2.5
   fixproof trace mul 00018000 00028000
   fixproof trace div 00010000 00008000 --target i8088
   fixproof trace div 00018000 00028000 --target i8088 --round off --as-scanned

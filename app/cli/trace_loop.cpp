@@ -5,6 +5,7 @@
 
 #include <iostream>
 
+#include "app/cli/words.hpp"
 #include "support/hex.hpp"
 #include "support/usage_error.hpp"
 #include "verify/machine_code/programs.hpp"
@@ -39,21 +40,23 @@ x86::LoopCall loop_call(const x86::LoopForm& form, const std::vector<std::string
     throw support::UsageError(fmt::format(
         "{} takes {} words, not {}", machine_code::name_of_loop(form.loop), wanted, words.size()));
   }
-  constexpr std::size_t digits = 8;
-  x86::LoopCall call{.pixels = support::parse_hex(words[0], digits),
-                     .value = support::parse_hex(words[1], digits),
-                     .step = support::parse_hex(words[2], digits),
-                     .colour = 0xFF};
+  constexpr cases::Format whole{.word_bits = 32, .fraction_bits = 0};
+  constexpr cases::Format q24_8{.word_bits = 32, .fraction_bits = 8};
+  const auto read = [&words](std::size_t i, const cases::Format& format) {
+    return static_cast<std::uint32_t>(word_of(words[i], format));
+  };
+  x86::LoopCall call{
+      .pixels = read(0, whole), .value = read(1, q24_8), .step = read(2, q24_8), .colour = 0xFF};
   if (texture) {
-    call.row = support::parse_hex(words[3], digits);
-    call.row_step = support::parse_hex(words[4], digits);
+    call.row = read(3, q24_8);
+    call.row_step = read(4, q24_8);
   }
   if (form.loop != x86::Loop::depth_test) call.place = traced_row;
   const bool pairs = x86::pixels_per_iteration(form.loop) == 2;
   if (call.pixels < 1 || call.pixels > x86::loops::max_pixels || (pairs && call.pixels % 2 != 0)) {
-    throw support::UsageError(fmt::format("{}: {:x} pixels; give {} (hexadecimal)",
+    throw support::UsageError(fmt::format("{}: {} pixels; give {}",
                                           machine_code::name_of_loop(form.loop), call.pixels,
-                                          pairs ? "an even number from 2 to 140" : "1 to 140"));
+                                          pairs ? "an even number from 2 to 320" : "1 to 320"));
   }
   return call;
 }

@@ -15,6 +15,7 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/selection.hpp"
 #include "app/cli/table.hpp"
+#include "app/cli/words.hpp"
 #include "support/file.hpp"
 #include "support/interrupt.hpp"
 #include "support/output_file.hpp"
@@ -60,7 +61,7 @@ int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows)
   int status = 0;
   for (const cases::Row& row : rows) {
     std::vector<std::uint32_t> words(cases::words_in(row.variant));
-    cases::parse_words(options.words, row.variant, words);
+    read_words(options.words, row.variant, words);
     std::vector<std::pair<std::string, std::string>> said;
     bool equal = true;
     for (int call = 0; call < calls_of_case && equal; ++call) {
@@ -74,7 +75,7 @@ int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows)
     }
     if (!equal) status = 1;
     std::cout << fmt::format("{}: {} ({}): {}: {}\n", cases::name_of(row.variant),
-                             support::printable(options.words),
+                             cases::hex_words(words, cases::operand_bits(row.variant)),
                              cases::decimal_words(row.variant, words), grouped_answers(said),
                              equal ? "equal" : "DIFFER");
   }
@@ -280,13 +281,14 @@ void add_options(CLI::App& command, VerifyOptions& options) {
   auto* accept = command.add_flag("--accept-other-builds", options.accept_other_builds,
                                   "resume even if another build or other parties made the state");
   accept->needs(resume);
-  auto* report =
-      command.add_option("--report", options.report, "write the results to this file as JSON")
-          ->check(not_empty());
+  auto* report = command
+                     .add_option("--report", options.report,
+                                 "write the results to this file as JSON; - is standard output")
+                     ->transform(output_file());
   command.add_option("--max-reports", options.max_reports, "number of mismatches to show per row")
       ->transform(whole_number(0, verify::max_reports))
       ->capture_default_str();
-  command.add_option("--case", options.words, "compare only this case, given as words in hex")
+  command.add_option("--case", options.words, "compare only this case, given as for eval")
       ->check(not_empty())
       ->excludes(shard)
       ->excludes(resume)

@@ -1,5 +1,5 @@
 /// @file
-/// A number that a person types: decimal, hexadecimal or bits.
+/// A number that a person types, for the type and the oracle.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,7 @@ struct Operand {
   std::string decimal{};  ///< the same as decimal text, which the type can read
 };
 
-/// The length of the longest text that is accepted.
-inline constexpr std::size_t longest_operand = 100;
-
-/// Reads decimal text, or a word of the format after `0x` or `0b`.
+/// Reads what input::number_of() reads.
 Operand operand_of(std::string_view text, const NumberFormat& format);
 
 /// An operand as a word of a format.

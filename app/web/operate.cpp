@@ -41,12 +41,12 @@ std::optional<oracle::Ratio> exact_units(Operation operation, const Integer& a, 
   return std::nullopt;
 }
 
-/// Returns the exact result in units, rounded by a rule, or nothing for a zero divisor.
+/// Returns the exact result in units, rounded by a rule, or nothing for a zero divisor and for the
+/// root of a negative number.
 std::optional<Integer> rounded_units(Operation operation, std::uint64_t a, std::uint64_t b,
                                      oracle::Rounding rule, const oracle::Format& f) {
   if (operation == Operation::sqrt) {
-    const auto root = oracle::exact_root(a, oracle::Rounding::half_up, f);
-    return root ? root : std::optional<Integer>(0);
+    return oracle::exact_root(a, oracle::Rounding::half_up, f);
   }
   const auto exact =
       exact_units(operation, oracle::ulps(a, f), oracle::ulps(b, f), f.fraction_bits);
@@ -71,10 +71,24 @@ void write_word(Json& json, std::uint64_t word, const std::optional<oracle::Rati
   json.field("units", decimal_text(off, exact->denominator, 6));
 }
 
+/// Writes what each policy does with the root of a negative number.
+void write_negative_root(Json& json, std::uint64_t a, const NumberFormat& format) {
+  json.object([&] {
+    json.field("name", "wrapping, saturating");
+    if (const auto word = format.answer[0](Operation::sqrt, a, 0))
+      write_word(json, *word, std::nullopt, format);
+  });
+  json.object([&] {
+    json.field("name", "trapping");
+    json.field("ending", "throws domain_error");
+  });
+}
+
 void write_rules(Json& json, Operation operation, std::uint64_t a, std::uint64_t b,
                  const NumberFormat& format, const std::optional<oracle::Ratio>& exact) {
   const auto f = format.format.as<oracle::Format>();
   const bool root = operation == Operation::sqrt;  // rounded to nearest by every rule
+  if (root && oracle::ulps(a, f) < 0) return write_negative_root(json, a, format);
   for (std::size_t i = 0; i < (root ? 1U : rules.size()); ++i) {
     json.object([&] {
       const auto expected = rounded_units(operation, a, b, oracle_rules[i], f);
@@ -96,15 +110,23 @@ void write_rules(Json& json, Operation operation, std::uint64_t a, std::uint64_t
   });
 }
 
+/// Tells whether the word of a build is a result out of range, modulo the word. No rule and no 8088
+/// quotient is off by half the range otherwise.
+bool wraps(std::uint64_t word, const oracle::Ratio& exact, const oracle::Format& f) {
+  const Integer off = oracle::ulps(word, f) * exact.denominator - exact.numerator;
+  return abs(off) >= (Integer(1) << (f.bits - 1)) * exact.denominator;
+}
+
 void write_builds(Json& json, Operation operation, std::uint64_t a, std::uint64_t b,
                   const NumberFormat& format, const std::optional<oracle::Ratio>& exact) {
+  const auto f = format.format.as<oracle::Format>();
   for (const BuildAnswer& build :
        answers_of_builds(operation, format.format, static_cast<std::uint32_t>(a),
                          static_cast<std::uint32_t>(b))) {
     json.object([&] {
       json.field("name", build.name);
       json.field("agrees", build.agrees);
-      json.field("wraps", false);
+      json.field("wraps", build.word && exact && wraps(*build.word, *exact, f));
       json.field("link", build.link);
       if (build.word) write_word(json, *build.word, exact, format);
     });
@@ -136,6 +158,7 @@ std::string operation_view(std::string_view request) {
     const auto f = format->format.as<oracle::Format>();
     const auto exact = exact_units(*operation, oracle::ulps(words[0], f), oracle::ulps(words[1], f),
                                    f.fraction_bits);
+    if (unary) json.field("negative", oracle::ulps(words[0], f) < 0);
     json.object("first", [&] { write_word(json, words[0], std::nullopt, *format); });
     json.object("second", [&] { write_word(json, words[1], std::nullopt, *format); });
     if (exact) {

@@ -6,10 +6,12 @@
 #include <optional>
 #include <span>
 
+#include "app/input/number.hpp"
 #include "app/web/json.hpp"
 #include "app/web/operand.hpp"
 #include "app/web/recorder.hpp"
 #include "app/web/words.hpp"
+#include "oracle/format.hpp"
 #include "verify/singlestep/shown.hpp"
 #include "x86model/text.hpp"
 
@@ -50,24 +52,16 @@ std::string text_of(const x86::Range& clocks) {
   return clocks.min == clocks.max ? least : least + "\u2013" + std::to_string(clocks.max);
 }
 
-std::vector<std::string_view> parts_of(std::string_view text) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t start = text.find_first_not_of(" ,;\t");
-    if (start == std::string_view::npos) return parts;
-    text.remove_prefix(start);
-    parts.push_back(text.substr(0, text.find_first_of(" ,;\t")));
-    text.remove_prefix(parts.back().size());
+/// Returns a whole number, or nothing if it is none or does not fit the format.
+std::optional<std::uint32_t> whole_of(std::string_view text, const cases::Format& format) {
+  const input::Number number = input::number_of(text, format, input::Bare::decimal);
+  const auto f = format.as<oracle::Format>();
+  const oracle::Integer whole = number.exact.numerator / number.exact.denominator;
+  if (!number.error.empty() || whole * number.exact.denominator != number.exact.numerator ||
+      !oracle::fits(whole, f)) {
+    return std::nullopt;
   }
-}
-
-/// Returns a whole number of tenths of a degree as a word of 16 bits.
-std::optional<std::uint32_t> angle_of(std::string_view text) {
-  int tenths = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, tenths);
-  if (error != std::errc() || stop != end || tenths < -32768 || tenths > 32767) return std::nullopt;
-  return static_cast<std::uint32_t>(tenths) & 0xFFFFU;
+  return static_cast<std::uint32_t>(oracle::wrap(whole, f));
 }
 
 std::string wrong_number(std::string_view name, std::size_t wanted, std::size_t given) {
@@ -87,7 +81,7 @@ std::uint32_t word_of(std::string_view part, std::string_view format_name, std::
 /// @param error receives what is wrong with them; unchanged if they are right
 std::vector<std::uint32_t> operands_of(x86::Routine routine, std::string_view text,
                                        std::string& error) {
-  const auto parts = parts_of(text);
+  const auto parts = input::parts_of(text);
   const auto wanted = static_cast<std::size_t>(x86::arity(routine).in);
   std::vector<std::uint32_t> words;
   if (parts.size() != wanted) {
@@ -96,7 +90,7 @@ std::vector<std::uint32_t> operands_of(x86::Routine routine, std::string_view te
   }
   for (const std::string_view part : parts) {
     if (routine == x86::Routine::cossin) {
-      const auto angle = angle_of(part);
+      const auto angle = whole_of(part, {.word_bits = 16, .fraction_bits = 0});
       if (!angle)
         error = "The angle must be a whole number of tenths of a degree, from -32768 to 32767.";
       words.push_back(angle.value_or(0));
@@ -110,20 +104,20 @@ std::vector<std::uint32_t> operands_of(x86::Routine routine, std::string_view te
 /// Returns the operands of an inner loop.
 /// @param error receives what is wrong with them; unchanged if they are right
 x86::LoopCall loop_operands_of(std::string_view loop, std::string_view text, std::string& error) {
-  const auto parts = parts_of(text);
+  const auto parts = input::parts_of(text);
   const std::size_t wanted = loop == "texture" ? 5 : 3;
   x86::LoopCall call;
   if (parts.size() != wanted) {
     error = wrong_number(loop, wanted, parts.size());
     return call;
   }
-  const char* const end = parts[0].data() + parts[0].size();
-  const auto [stop, problem] = std::from_chars(parts[0].data(), end, call.pixels);
-  if (problem != std::errc() || stop != end || call.pixels > most_pixels) {
+  const auto pixels = whole_of(parts[0], {.word_bits = 32, .fraction_bits = 0, .is_signed = false});
+  if (!pixels || *pixels > most_pixels) {
     error = "The number of pixels must be a whole number, from 0 to " +
             std::to_string(most_pixels) + ".";
     return call;
   }
+  call.pixels = *pixels;
   const std::array into{&call.value, &call.step, &call.row, &call.row_step};
   for (std::size_t i = 1; i < wanted; ++i) *into.at(i - 1) = word_of(parts[i], "q24_8", error);
   return call;

@@ -55,24 +55,6 @@ void join_words(std::span<const std::uint32_t> parts, const cases::Format& forma
   }
 }
 
-oracle::Ratio unit_of(const cases::Format& format) {
-  const auto exponent = static_cast<unsigned>(std::abs(format.fraction_bits));
-  const oracle::Integer power = pow(oracle::Integer(format.is_decimal ? 10 : 2), exponent);
-  return format.fraction_bits < 0 ? oracle::Ratio{power, 1} : oracle::Ratio{1, power};
-}
-
-oracle::Ratio value_of(std::uint64_t word, const cases::Format& format) {
-  const oracle::Ratio unit = unit_of(format);
-  return {oracle::ulps(word, format.as<oracle::Format>()) * unit.numerator, unit.denominator};
-}
-
-oracle::Integer to_ulps(const oracle::Ratio& value, oracle::Rounding rule,
-                        const cases::Format& format) {
-  const oracle::Ratio unit = unit_of(format);
-  return oracle::rounded(value.numerator * unit.denominator, value.denominator * unit.numerator,
-                         rule);
-}
-
 std::string hex_text(std::uint64_t word, const cases::Format& format) {
   return fmt::format("{:0{}x}", cases::stored_or_word(word, format), digits_of(format));
 }

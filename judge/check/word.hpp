@@ -1,6 +1,5 @@
 /// @file
-/// Words of any format, in at most 64 bits, the words that rules and traits name, and exact values
-/// in units of a format.
+/// Words of any format, in at most 64 bits, and the words that rules and traits name.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +12,7 @@
 #include "oracle/decimal.hpp"
 #include "oracle/format.hpp"
 #include "verify/cases/format.hpp"
+#include "verify/cases/value.hpp"
 
 namespace fixproof::check {
 
@@ -60,14 +60,6 @@ constexpr std::uint64_t fraction_of(const cases::Format& format) {
              ? cases::all_ones(format)
              : ~std::uint64_t{0} >> (64 - format.fraction_bits);
 }
-
-/// Returns the value of one unit.
-oracle::Ratio unit_of(const cases::Format& format);
-/// Returns the value of a word.
-oracle::Ratio value_of(std::uint64_t word, const cases::Format& format);
-/// Returns a value in units, rounded once.
-oracle::Integer to_ulps(const oracle::Ratio& value, oracle::Rounding rule,
-                        const cases::Format& format);
 
 /// Returns minus a word, modulo 2^word_bits.
 constexpr std::uint64_t minus(std::uint64_t word, const cases::Format& format) {

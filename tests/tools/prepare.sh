@@ -3,6 +3,8 @@
 # configures, builds. What it says goes to stderr, so that stdout is the caller's; logs go to build/.
 # Sets `root`, the root of the repository.
 
+# With an exported CDPATH, cd prints where it goes.
+unset CDPATH
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
 # clang-format and clang-tidy judge differently from version to version: one version for every machine.
@@ -25,6 +27,16 @@ scale_packages=(parallel procps slurmctld slurmd slurm-client munge)
 
 say() { printf 'fixproof: %s\n' "$*" >&2; }
 die() { say "$*"; exit 2; }
+
+# Ends if there is no room for the temporary files of compilers: their messages do not name the folder.
+require_room() {
+  local folder=${TMPDIR:-/tmp} file
+  if ! file=$(mktemp "$folder/fixproof.XXXXXX" 2>/dev/null) || ! head -c 1048576 /dev/zero 2>/dev/null >"$file"; then
+    rm -f "$file"
+    die "no room for temporary files in $folder; make some, or set TMPDIR to another folder"
+  fi
+  rm -f "$file"
+}
 
 # install_packages WHY PACKAGE...
 install_packages() {
@@ -68,6 +80,7 @@ export CCACHE_SLOPPINESS=time_macros,include_file_mtime,include_file_ctime
 configure() {
   local preset=$1; shift
   local log=$root/build/$preset-configure.log
+  require_room
   mkdir -p "$root/build"
   if command -v ccache >/dev/null; then set -- -D CMAKE_CXX_COMPILER_LAUNCHER=ccache "$@"; fi
   say "configuring and building in $root/build/$preset"

@@ -204,7 +204,8 @@ std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant) {
   if (stream == Stream::hard_angles) return 2 * hard_angles().size();
   if (stream == Stream::edges) {
     if (!is_stream_of(stream, variant)) refuse(stream, variant);
-    return edge_words(variant.operation, operand_format(variant)).size() / words_in(variant.operation);
+    return edge_words(variant.operation, operand_format(variant)).size() /
+           words_in(variant.operation);
   }
   if (stream != Stream::lattice && stream != Stream::every) return std::nullopt;
   const std::size_t arity = words_in(variant.operation);

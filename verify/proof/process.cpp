@@ -48,6 +48,24 @@ std::filesystem::path temporary_folder() {
                                        error.message()));
 }
 
+[[noreturn]] void refuse_temporary(int error) {
+  throw std::runtime_error(fmt::format("cannot write a temporary file in {}: {}",
+                                       temporary_folder().string(),
+                                       std::generic_category().message(error)));
+}
+
+/// Reserves room for what a program says. On a full disk that would be lost, without an error here.
+void reserve_room(int descriptor) {
+#ifdef __linux__
+  constexpr off_t room = 1 << 16;
+  // Some file systems cannot reserve.
+  if (::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, 0, room) != 0 && errno != EOPNOTSUPP &&
+      errno != ENOSYS) {
+    refuse_temporary(errno);
+  }
+#endif
+}
+
 /// A file in TMPDIR, which std::tmpfile() ignores. It loses its name at once, so that nothing is
 /// left if this program is killed later.
 File temporary_file() {
@@ -59,6 +77,7 @@ File temporary_file() {
     throw std::runtime_error(fmt::format("cannot create the temporary file {}: {}", name,
                                          std::generic_category().message(errno)));
   }
+  reserve_room(descriptor);
   return file;
 }
 
@@ -66,7 +85,7 @@ File file_with(const std::string& text) {
   File file = temporary_file();
   if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
       std::fflush(file.get()) != 0) {
-    throw std::runtime_error("cannot write a temporary file");
+    refuse_temporary(errno);
   }
   std::rewind(file.get());
   return file;

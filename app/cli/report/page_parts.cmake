@@ -1,6 +1,6 @@
 # Builds the files of app/report/ into the program.
 set(page_folder ${PROJECT_SOURCE_DIR}/app/report)
-set(page_charts base verification trade errors drift stepping claims main)
+set(page_charts base verification trade errors drift stepping scenes claims main)
 list(TRANSFORM page_charts REPLACE "(.+)" "charts/\\1.js")
 set(page_files page.html page.css vendor/d3.min.js vendor/plot.umd.min.js ${page_charts})
 list(TRANSFORM page_files PREPEND ${page_folder}/)

@@ -92,9 +92,18 @@ const tipWidth = (width) => Math.max(8, Math.min(24, (width / 2 - 24) / 12));
 // A weak map, so that a chart that is replaced can be collected.
 const renderers = new WeakMap();
 const renderAll = (maxWidth) => document.querySelectorAll(".chart").forEach((place) => renderers.get(place)?.(maxWidth));
-// The width of paper, so that nothing shrinks in print.
-addEventListener("beforeprint", () => renderAll(680));
-addEventListener("afterprint", () => renderAll());
+// On paper, charts have its width, so that nothing shrinks, and nothing is folded.
+const folded = () => document.querySelectorAll("details:not([open])");
+let opened = [];
+addEventListener("beforeprint", () => {
+  opened = [...folded()];
+  for (const details of opened) details.open = true;
+  renderAll(680);
+});
+addEventListener("afterprint", () => {
+  for (const details of opened) details.open = false;
+  renderAll();
+});
 
 // A chart whose values can be read with a mouse, a finger and the arrow keys. draw(width) returns { options: of Plot,
 // points: [{ x, y, text }], upright: whether the tip follows x alone }.
@@ -108,8 +117,11 @@ function chart(label, draw) {
     drawn = width;
     const { options, points, upright } = draw(width);
     const tip = { x: "x", y: "y", title: "text", maxRadius: 60, className: "tip", fontSize: 12, lineHeight: 1.25, lineWidth: tipWidth(width) };
+    const shown = Object.assign(Plot.tip(points, (upright ? Plot.pointerX : Plot.pointer)(tip)), { ariaLabel: undefined });
     const svg = Plot.plot({ width, ...options, style: { fontSize: "12px", background: "transparent" },
-      marks: [...options.marks, Plot.tip(points, (upright ? Plot.pointerX : Plot.pointer)(tip))] });
+      marks: [...options.marks, shown] });
+    // Plot names its groups, which have no role that may have a name.
+    for (const group of svg.querySelectorAll("g[aria-label]")) group.removeAttribute("aria-label");
     addKeys(svg, label, points, readout);
     place.replaceChildren(svg, readout);
   };

@@ -54,7 +54,24 @@ function fixedFrontierOf(points) {
   return points.some((p) => p.kind === "floating") ? frontierOf(points.filter((p) => p.kind !== "floating")) : [];
 }
 
-function tradePlot(points, choice, width) {
+// Finds a place for the label of each point, beside it and in nobody's way. Lengths are in pixels.
+function placeLabels(spots, width) {
+  const boxes = spots.map(({ x, y }) => [x - 7, y - 7, x + 7, y + 7]);
+  const meets = (a) => boxes.some((b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]);
+  return spots.map(({ x, y, text }) => {
+    const w = 6.6 * text.length;
+    const places = [16, 30, 44, 58].flatMap((far) => [[far - 6, 0], [-far + 6 - w, 0], [-w / 2, -far], [-w / 2, far],
+      [far / 2, -far], [far / 2, far], [-far / 2 - w, -far], [-far / 2 - w, far]]);
+    const boxOf = ([dx, dy]) => [x + dx, y + dy - 7, x + dx + w, y + dy + 7];
+    const inside = ([left, , right]) => left > 20 && right < width;
+    const place = places.find((p) => inside(boxOf(p)) && !meets(boxOf(p))) ?? places[0];
+    boxes.push(boxOf(place));
+    return place;
+  });
+}
+
+function tradePlot(unsorted, choice, width) {
+  const points = d3.sort(unsorted, middle);
   const unit = choice.from === "host" ? "ns" : "clocks";
   const frontier = frontierOf(points);
   const ofFixed = fixedFrontierOf(points);
@@ -75,13 +92,22 @@ function tradePlot(points, choice, width) {
       p.bus ? `table ${figure(p.tabled.max)}, bus ${figure(p.bus)} clocks` : null,
       choice.error === "rms" ? `rms error ${figure(p.error)} ulp` : `largest error ${largest(p.error)} ulp`,
       p.rule ? `rounding: ${p.rule}` : null].filter(Boolean).join("\n") }));
+  const named = narrow ? [] : unique([...frontier, ...ofFixed]);
+  const labels = points.map((p, i) => (named.includes(p) ? `${i + 1} ${p.name}` : String(i + 1)));
   const color = (p) => colours[kinds[choice.from].indexOf(p.kind)] ?? colours[5];
+  const axes = {
+    ...frame(width), marginRight: narrow ? 20 : 40,
+    x: scaleFor(points.flatMap((p) => [p.time, p.most]), `${unit} per call →`, Math.floor(width / 80)),
+    y: scale,
+  };
+  const [toX, toY] = ["x", "y"].map((axis) =>
+    Plot.plot({ width, ...axes, marks: [Plot.dot(points, { x: middle, y: height })] }).scale(axis));
+  const places = points.length === 0 ? [] : placeLabels(points.map((p, i) =>
+    ({ x: toX.apply(middle(p)), y: toY.apply(height(p)), text: labels[i] })), width);
   return {
     points: says,
     options: {
-      ...frame(width), marginRight: narrow ? 20 : 40,
-      x: scaleFor(points.flatMap((p) => [p.time, p.most]), `${unit} per call →`, Math.floor(width / 80)),
-      y: scale,
+      ...axes,
       marks: [
         Plot.line(frontier, { x: middle, y: height, curve: "step-after", stroke: "currentColor",
           strokeDasharray: "4 3", className: "frontier" }),
@@ -90,10 +116,9 @@ function tradePlot(points, choice, width) {
         Plot.ruleY(points.filter((p) => p.most > p.time), { x1: "time", x2: "most", y: height, stroke: color }),
         ...kinds[choice.from].map((kind, i) => Plot.dot(points.filter((p) => p.kind === kind), { x: middle, y: height, r: 6,
           ...dotStyle(i), className: "points" })),
-        // Names of exact points are above them, because the axis is below.
-        ...[[-14, (p) => p.error === 0], [16, (p) => p.error > 0]].map(([dy, has]) =>
-          Plot.text(narrow ? [] : unique([...frontier, ...ofFixed]).filter(has), { x: middle, y: height, text: "name", dy,
-            dx: 4, textAnchor: "start", fill: "currentColor", stroke: "var(--paper)", strokeWidth: 4, className: "names" })),
+        ...points.map((p, i) => Plot.text([p], { x: middle, y: height, text: () => labels[i], dx: places[i][0],
+          dy: places[i][1], textAnchor: "start", fill: "currentColor", stroke: "var(--paper)", strokeWidth: 4,
+          className: "names" })),
       ],
     },
   };
@@ -112,6 +137,7 @@ function tradeChoices({ from, operation }) {
 function showTrade() {
   const parent = section("trade");
   const names = element("div", {});
+  const numbered = element("ol", { class: "numbered" });
   const holder = element("div", {});
   const listed = element("details", {});
   let choice = {};
@@ -134,6 +160,7 @@ function showTrade() {
     shown.caption.textContent = points.length === 0 ? "There are no measurements for this choice."
       : `On the line: ${frontierOf(points).map((p) => p.name).join("; ")}.` +
         (ofFixed.length ? ` Fixed point alone, dotted: ${ofFixed.map((p) => p.name).join("; ")}.` : "");
+    numbered.replaceChildren(...d3.sort(points, middle).map((p) => element("li", {}, p.name)));
     listed.replaceChildren(element("summary", {}, "Show as a table"),
       table("Speed and accuracy, fastest first", [
         { title: "variant", of: (p) => p.name },
@@ -149,7 +176,7 @@ function showTrade() {
   const shown = figureWithCaption(holder, "Speed and accuracy", "", (width) => tradePlot(points, choice, width));
   const { made, rounds, libraries } = report.host;
   const missing = Object.entries(libraries).filter(([, built]) => !built).map(([name]) => `${name} was not installed.`);
-  parent.append(box, names, holder, listed, note(`This machine: ${made.processor}, ${made.compiler} ${made.flags}, ` +
+  parent.append(box, names, holder, numbered, listed, note(`This machine: ${made.processor}, ${made.compiler} ${made.flags}, ` +
     `medians of ${count(rounds)} ${rounds === 1 ? "round" : "rounds"}. ${missing.join(" ")}`));
   update();
 }

@@ -26,7 +26,13 @@ function showVerification() {
   section("made").textContent = [dateText(made.date), `fixproof ${made.version}`, made.compiler, `seed ${made.seed}`,
     made.processor].filter(Boolean).join(", ") +
     (made.quick ? ". A quick run (--quick): too few cases to conclude from." : ".");
-  section("verification").append(
+  const differ = verify.rows.filter((row) => row.mismatches > 0).length;
+  const alone = verify.rows.filter((row) => row.parties.length < 2).length;
+  const parts = [[verify.rows.length - differ - alone, "equal"], [differ, "with differences"], [alone, "not compared"]]
+    .filter(([n]) => n > 0).map(([n, what]) => `${count(n)} ${what}`);
+  // What differs is in sight.
+  section("verification").append(element("details", differ > 0 ? { open: "" } : {},
+    element("summary", {}, `Show all ${count(verify.rows.length)} rows: ${parts.join(", ")}`),
     table("All rows of the verification", [
       { title: "operation", of: (r) => r.operation },
       { title: "target", of: (r) => r.target + (r.chapter === 52 ? ", chapter 52" : r.repaired ? ", repaired" : "") },
@@ -35,7 +41,7 @@ function showVerification() {
       { title: "cases", of: (r) => count(r.cases), kind: "number" },
       { title: "#DE", of: (r) => count(r.faults), kind: "number" },
       { title: "result", of: resultOf },
-    ], verify.rows),
+    ], verify.rows)),
     note(`${count(verify.cases)} cases, of which ${count(faults)} are divide errors, in ${figure(verify.seconds)} s; ` +
       `level ${verify.level}, seed ${verify.seed}.`),
     ...verify.made_by.map((maker) => note(makerText(maker))));

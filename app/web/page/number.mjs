@@ -1,6 +1,6 @@
 // One number: its bits, and its value in every format.
 import { html, nothing } from "../vendor/lit-html.js";
-import { agreement, formatsOf, input, problem, select, short } from "./parts.mjs";
+import { agreement, formatsOf, input, keep, kept, problem, select, short } from "./parts.mjs";
 import { defaults } from "./state.mjs";
 
 function flipped(row, bit) {
@@ -69,14 +69,22 @@ export function numberView(module, state, update) {
   const answer = module.ask("number", state.format, state.text);
   // The last good answer remains, so that nothing moves while a person types.
   if (!answer.error) numberView.last = answer;
+  const chooseFormat = (format) => {
+    const row = answer.rows?.find(({ name }) => name === state.format);
+    const text = row?.fits ? kept(state.text, state.keep, { word: row.word, value: answer.exact }) : state.text;
+    update({ format, text });
+  };
   return html`
     <h2>One number in every format</h2>
-    <p>Type a decimal number, or a word of the chosen format: 0x and hexadecimal digits, or 0b and bits. Each format
+    <p>Type a decimal number such as 1.5 or -2e3, or a word of the chosen format: 0x and hexadecimal digits, or 0b and
+      bits. Each format
       takes the nearest number, and halves round up.</p>
     <div class="choices">
       ${input("Number", state.text, (text) => update({ text }))}
-      ${select("Format of words", state.format, formatsOf(module), (format) => update({ format }))}
+      ${select("Format of words", state.format, formatsOf(module), chooseFormat)}
+      ${keep(state, update)}
     </div>
     ${problem(answer.error)}
-    ${numberView.last ? answerOf(numberView.last, state, update) : nothing}`;
+    ${numberView.last ? html`<div class=${answer.error ? "stale" : ""}>${answerOf(numberView.last, state, update)}</div>`
+      : nothing}`;
 }

@@ -16,11 +16,21 @@ export const select = (label, value, options, choose) => html`
     </select>
   </label>`;
 
-export const input = (label, value, change) => html`
-  <label class="choice"><span>${label}</span>
+export const input = (label, value, change, short = false) => html`
+  <label class="choice ${short ? "short" : ""}"><span>${label}</span>
     <input name=${label} .value=${value} spellcheck="false" autocomplete="off" autocapitalize="off" maxlength="400"
       @input=${(e) => change(e.target.value)}>
   </label>`;
+
+// What a change of the format keeps.
+export const keep = (state, update) => select("A new format keeps", state.keep, [["value", "the value"],
+  ["bits", "the bits"]], (chosen) => update({ keep: chosen }));
+
+// Returns the text of a number for another format: words become decimal, or decimal numbers words.
+export const kept = (text, what, { word, value }) => {
+  const isWord = /^\s*[-+\u2212]?0[xb]/i.test(text);
+  return what === "bits" ? (isWord ? text : `0x${word}`) : isWord ? value : text;
+};
 
 // A figure, shortened for the table. Its title has all digits.
 export const short = (text, digits = 14) => text === undefined ? nothing :

@@ -104,7 +104,7 @@ export function scenesView(module, state, update) {
   // A change keeps the frame: the address names the one that the scene moves to.
   const change = (changes) => update({ ...changes, frame: String(run.target) });
   const go = (frame) => {
-    run.target = Math.max(0, Math.min(most, frame));
+    run.target = Math.max(0, Math.min(most, Math.round(frame) || 0));
     change({ play: "no" });
   };
   const restart = () => {

@@ -3,6 +3,7 @@
 export const defaults = {
   view: "number",
   text: "0.1", format: "q16_16",
+  keep: "value",
   op: "mul", in: "q16_16", a: "0xffffffff", b: "0.5",
   routine: "mul", build: "i386-on", beside: "i8088-on", operands: "-0.5 1.5", step: "0",
   scene: "twelve_cubes", arithmetic: "i8088-on", against: "double", show: "difference", play: "yes", frame: "0",

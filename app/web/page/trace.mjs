@@ -11,22 +11,53 @@ const sampleOperands = {
   concat: `${identity}  ${identity}`, gouraud: "7 32 1.5", depth: "4 1 0.5", texture: "4 1 1 0 0",
 };
 
-// The labels of the operands of each inner loop.
-const loopOperands = {
-  gouraud: "Pixels, intensity, step", depth: "Pixels, depth, step", texture: "Pixels, column, step, row, step",
+const row = (name) => [name, 4];
+const rows = ["row 1", "row 2", "row 3"];
+const numbers = "Numbers are in 16.16.";
+const transform = "Each row has the factors of x, y and z and then a shift, in 16.16.";
+const stepped = "Intensities, depths and steps are in 24.8; a step is for one pixel.";
+// The operands: for each box, its label and how many numbers it holds; then their unit.
+const operandsOf = {
+  mul: [[["First factor", 1], ["Second factor", 1]], numbers],
+  div: [[["Dividend", 1], ["Divisor", 1]], numbers],
+  cossin: [[["Angle in tenths of a degree", 1]], "300 is 30 degrees."],
+  xformvec: [[...rows.map((name) => row(`Transform, ${name}`)), ["Point x y z", 3]], transform],
+  concat: [[...rows.map((name) => row(`First, ${name}`)), ...rows.map((name) => row(`Second, ${name}`))], transform],
+  gouraud: [[["Pixels", 1], ["Intensity", 1], ["Step", 1]], stepped],
+  depth: [[["Pixels", 1], ["Depth", 1], ["Step", 1]], stepped],
+  texture: [[["Pixels", 1], ["Column", 1], ["Column step", 1], ["Row", 1], ["Row step", 1]],
+    "Columns, rows and steps are in 24.8; a step is for one pixel."],
 };
+
+// Returns the text of each box. Boxes that a person typed into are between semicolons.
+function boxesOf(boxes, operands) {
+  if (operands.includes(";")) return boxes.map((_, i) => operands.split(";")[i] ?? "");
+  const parts = numbersIn(operands);
+  return boxes.map(([, count], i) => i + 1 < boxes.length ? parts.splice(0, count).join(" ") : parts.join(" "));
+}
 
 const buildName = (name) => name.replace(/i(?=\d)/, "").replace("-on", ", rounded").replace("-off", ", not rounded")
   .replace("-52", ", chapter 52").replace("-repaired", ", repaired").replace("-scanned", ", as scanned")
   .replace("-printed", ", as printed").replace("byte-", "bytes, ").replace("word-", "words, ")
   .replace("-loop", ", LOOP").replace("-dec-jnz", ", DEC and JNZ");
 
+const numbersIn = (text) => text.split(/[\s,;]+/).filter(Boolean);
+
+// Says which box has too many or too few numbers.
+function wrongCount(boxes, texts) {
+  const at = boxes.findIndex(([, count], i) => numbersIn(texts[i]).length !== count);
+  if (at < 0) return undefined;
+  const [label, count] = boxes[at];
+  return `${label}: type ${count} ${count === 1 ? "number" : "numbers"}, not ${numbersIn(texts[at]).length}.`;
+}
+
 // The last recorded trace. A change of the routine, a build or the operands records it again.
 let recorded = { key: "", answer: null };
-function recording(module, state) {
+function recording(module, state, wrong) {
   const key = [state.routine, state.build, state.beside, state.operands].join("\n");
   if (recorded.key === key) return recorded;
-  const answer = module.ask("trace", state.routine, state.build, state.beside, state.operands);
+  const answer = wrong ? { error: wrong }
+    : module.ask("trace", state.routine, state.build, state.beside, state.operands);
   recorded = { key, error: answer.error, answer: answer.error ? recorded.answer : answer };
   return recorded;
 }
@@ -57,7 +88,7 @@ const cell = ({ address, value, changed, sp, depth }, loop) =>
 const returned = ({ word, value }) => html`<span class="code">${word}</span> (${short(value, 24)}) `;
 
 function runView(run, now) {
-  const memory = run.loop ? "Pixels and depths" : "Stack and operands in memory";
+  const memory = `${run.loop ? "Pixels and depths" : "Stack and operands in memory"}, ${buildName(run.name)}`;
   const ending = !run.returns ? html`<strong>${run.ending}</strong>`
     : run.result.length ? html`Returns ${run.result.map(returned)}` : run.ending;
   return html`<article class="run">
@@ -81,12 +112,19 @@ function stepKeys(event, go) {
 }
 
 export function traceView(module, state, update) {
-  const { error, answer } = recording(module, state);
-  const builds = module.ask("routines")[state.routine] ?? [];
+  const known = Object.hasOwn(operandsOf, state.routine);
+  const builds = known ? module.ask("routines")[state.routine] : [];
   const named = builds.map((name) => [name, buildName(name)]);
   const chooseRoutine = (routine) => {
     const of = module.ask("routines")[routine];
     update({ routine, operands: sampleOperands[routine], build: of[0], beside: "none", step: "0" });
+  };
+  const [boxes, unit] = known ? operandsOf[state.routine] : [[], ""];
+  const texts = boxesOf(boxes, state.operands);
+  const { error, answer } = recording(module, state, wrongCount(boxes, texts));
+  const type = (i, text) => {
+    texts[i] = text.replaceAll(";", " ");
+    update({ operands: texts.join(";"), step: "0" });
   };
   const step = answer ? stepOf(answer, state.step) : 0;
   const go = (by) => update({ step: String(Math.max(0, Math.min(lastStep(answer), step + by))) });
@@ -96,10 +134,13 @@ export function traceView(module, state, update) {
       ${select("Routine", state.routine, routineNames, chooseRoutine)}
       ${select("Build", state.build, named, (build) => update({ build, step: "0" }))}
       ${select("Beside", state.beside, [["none", "nothing"], ...named], (beside) => update({ beside, step: "0" }))}
-      ${input(loopOperands[state.routine] ?? "Operands", state.operands, (operands) => update({ operands, step: "0" }))}
     </div>
+    <div class="choices operands">
+      ${boxes.map(([label, count], i) => input(label, texts[i], (text) => type(i, text), count === 1))}
+    </div>
+    <p class="unit">${unit}</p>
     ${problem(error)}
-    ${answer ? html`
+    ${answer ? html`<div class=${error ? "stale" : ""}>
       <div class="stepper" role="group" aria-label="Steps; arrow keys go back and forward"
         @keydown=${(e) => stepKeys(e, go)}>
         <button name="start" @click=${() => go(-1e6)}>Start</button>
@@ -111,7 +152,8 @@ export function traceView(module, state, update) {
         <input type="range" aria-label="Step" min="0" max=${lastStep(answer)} .value=${String(step)}
           @input=${(e) => update({ step: e.target.value })}>
       </div>
-      <div class="runs">${answer.runs.map((run, i) => runView(run, module.ask("state", i, step)))}</div>` : nothing}`;
+      <div class="runs">${answer.runs.map((run, i) => runView(run, module.ask("state", i, step)))}</div></div>`
+      : nothing}`;
 }
 
 // Scrolls the listing, but not the page, to keep the current instruction in sight.

@@ -6,55 +6,22 @@ to PICTURES. Expected figures come from FOLDER/report.json. Status 0: holds, 1: 
 """
 import base64
 import json
-import pathlib
 import sys
 
 sys.dont_write_bytecode = True
-import chromium
 import sample_host
+from report_page import DATA, FOLDER, PICTURES, CASE, expect, expect_equal, number, open_page, picture, with_data
 from chromium import browser, media, size, violations
-
-try:
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.by import By
-    from selenium.webdriver.common.keys import Keys
-    from selenium.webdriver.support.ui import Select, WebDriverWait
-except ImportError:
-    chromium.skip("python3-selenium is not installed")
-
-CASE, FOLDER, PICTURES = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3])
-DATA = json.loads((FOLDER / "report.json").read_text())
-
-
-def open_page(driver, file=None):
-    driver.get((file or FOLDER / "report.html").as_uri())
-    WebDriverWait(driver, 20).until(
-        lambda d: d.execute_script("return document.documentElement.dataset.drawn") == "yes")
-
-
-def picture(driver, name, whole=True):
-    chromium.picture(driver, PICTURES / f"{name}.png", whole)
-
-
-def expect(holds, what):
-    chromium.expect(holds, f"{CASE}: {what}")
-
-
-def expect_equal(is_, wanted, what):
-    expect(is_ == wanted, f"{what}: {is_}, not {wanted}")
-
-
-def number(driver, selector):
-    return len(driver.find_elements(By.CSS_SELECTOR, selector))
+from reading import folded, labels, named, still
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import Select
 
 
 def with_known_host():
     """The page with other times of the host, whose order is known."""
-    data = dict(DATA, host=sample_host.HOST)
-    head, rest = (FOLDER / "report.html").read_text().split('id="data">', 1)
-    file = FOLDER / "with_known_host.html"
-    file.write_text(head + 'id="data">' + json.dumps(data).replace("<", "\\u003c") + rest[rest.index("</script>"):])
-    return file
+    return with_data(dict(DATA, host=sample_host.HOST), "with_known_host.html")
 
 
 def figures_of(text):
@@ -315,7 +282,8 @@ def readme(driver):
 
 
 CASES = {"quiet": quiet, "complete": complete, "hover": hover, "keyboard": keyboard, "choices": choices,
-         "phone": phone, "policy": policy, "dark": dark, "print": print_, "readme": readme}
+         "phone": phone, "policy": policy, "dark": dark, "print": print_,
+         "labels": labels, "named": named, "still": still, "folded": folded, "readme": readme}
 driver = browser()
 try:
     CASES[CASE](driver)

@@ -57,19 +57,35 @@ TEST(EvalInput, AnswersBeforeTheNextLineIsAsked) {
 
 TEST(EvalInput, RefusesLinesThatAreNoTwoWords) {
   for (const char* line :
-       {"0001800g 00028000", "0x018000 00028000", "-0018000 00028000", "+0018000 00028000",
-        "0001.000 00028000", "0001800A 00028000",
+       {"0001800g 00028000", "0x123456789 00028000", "1800a 00028000", "1.5.5 00028000",
+        // out of range
+        "32768 00028000", "-0x80000001 00028000",
         // seven and nine digits
         "0018000 00028000", "000018000 00028000", "00018000 0028000", "00018000 000028000",
         // missing and extra words
-        "00018000", "00018000 ", "00018000 00028000 00000000", "00018000 00028000 ",
-        // other spacing
-        "00018000  00028000", " 00018000 00028000", "00018000\t00028000", "00018000,00028000",
+        "00018000", "00018000 ", "00018000 00028000 00000000",
+        // carriage returns
         "00018000\r 00028000", "00018000 00028000\r\r",
         // a hash after a space
         " # comment"}) {
     expect_line_refused(line);
   }
+}
+
+// docs/formats.md has the rule. 6554 units are nearest to 0.1.
+TEST(EvalInput, TakesNumbersAsPeopleWriteThem) {
+  for (const char* line :
+       {"1.5 2.5", "00018000  00028000 ", " 00018000\t00028000", "00018000,00028000",
+        "0x18000 0x28000", "0001800A 00027fff", "0.015e2 +2.5", "-1.5 \u22122.5"}) {
+    SCOPED_TRACE(line);
+    const bool last_digit = std::string_view(line).starts_with("0001800A");
+    EXPECT_EQ(command::output_of("eval mul", line), last_digit ? "0003c017\n" : answered);
+  }
+  EXPECT_EQ(command::output_of("eval add", "0.1 0"), "0000199a\n");
+  EXPECT_EQ(command::output_of("eval cossin", "450\n01C2\n-3150"),
+            "0000b505 0000b505\n0000b505 0000b505\n0000b505 0000b505\n");
+  EXPECT_EQ(command::output_of("eval mul --format q4_4", "10 1.5"), "18\n");
+  EXPECT_EQ(command::output_of("eval add --format q32_32", "0.5 1"), "0000000180000000\n");
 }
 
 TEST(EvalInput, RefusesBinaryNoise) {
@@ -97,17 +113,23 @@ TEST(EvalInput, CountsTheWordsOfEachOperation) {
     command::expect_refused(fmt::format("eval {}", operation),
                             fmt::format("fixproof: line 1: {}\n", message), line);
   };
-  expect("div", "00018000", "div takes 2 words, separated by single spaces");
-  expect("cossin", "0000 0000", "cossin takes 1 word, separated by single spaces");
-  expect("xformvec", "00000000", "xformvec takes 15 words, separated by single spaces");
-  expect("concat", "00000000", "concat takes 24 words, separated by single spaces");
-  expect("cossin", "00000000", "'00000000' has 8 hex digits instead of 4");
+  expect("div", "00018000", "div takes 2 words, not 1");
+  expect("cossin", "0000 0000", "cossin takes 1 word, not 2");
+  expect("xformvec", "00000000", "xformvec takes 15 words, not 1");
+  expect("concat", "00000000", "concat takes 24 words, not 1");
+  expect("cossin", "00000384",
+         "'00000384': a word has 4 hexadecimal digits, or fewer after 0x, and a decimal number has "
+         "no 0 in front");
+  expect("cossin", "0.5", "'0.5' is not a whole number");
+  expect("mul", "1e5 1", "'1e5': out of range, q16_16 has -32768 to 32767.9999847412109375");
+  expect("mul --format u0_8", "1 ff", "'1': out of range, u0_8 has 0 to 0.99609375");
 }
 
 TEST(EvalInput, QuotesForeignTextShortAndPrintable) {
-  command::expect_refused("eval cossin",
-                          "line 1: '?]0;?" + std::string(35, 'x') + "...' is not lower-case hex\n",
-                          "\x1b]0;\x07" + std::string(3000, 'x') + "\n");
+  command::expect_refused(
+      "eval cossin",
+      "line 1: '?]0:?" + std::string(35, 'x') + "...': the number is longer than 100 characters\n",
+      "\x1b]0:\x07" + std::string(3000, 'x') + "\n");
 }
 
 TEST(EvalOutput, CannotBeWritten) {

@@ -90,9 +90,10 @@ TEST(LoopCommands, CallsThatNoLoopTakesAreRefused) {
   expect_refused("trace gouraud-byte 00000001 00000000", "takes 3 words, not 2");
   expect_refused("trace texture 00000001 00000000 00000000", "takes 5 words, not 3");
   expect_refused("trace gouraud-byte 00000000 00000000 00000000", "gouraud-byte: 0 pixels");
-  expect_refused("trace gouraud-byte 00000141 00000000 00000000", "gouraud-byte: 141 pixels");
+  expect_refused("trace gouraud-byte 00000141 00000000 00000000",
+                 "gouraud-byte: 321 pixels; give 1 to 320");
   expect_refused("trace gouraud-word 00000003 00000000 00000000", "an even number");
-  expect_refused("trace gouraud-byte 1 00000000 00000000", "1");
+  expect_refused("trace gouraud-byte 1.5 00000000 00000000", "'1.5' is not a whole number");
   expect_refused("trace gouraud-byte 00000001 00000000 00000000 --mutant 1", "for routines");
 }
 

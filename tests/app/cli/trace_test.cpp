@@ -86,6 +86,14 @@ TEST(Trace, ResultsInMemory) {
   expect_contains(trace(point).back(), "result 00000000 (0) 00000000 (0) 00000000 (0)");
 }
 
+TEST(Trace, TakesNumbersAsPeopleWriteThem) {
+  const auto words = trace("mul 00018000 fffd8000");
+  for (const char* numbers : {"1.5 -2.5", "0x18000 -0x28000", "1.5e0 FFFD8000"})
+    EXPECT_EQ(trace(fmt::format("mul {}", numbers)), words) << numbers;
+  EXPECT_EQ(trace("cossin 450"), trace("cossin 01c2"));
+  EXPECT_EQ(trace("gouraud-byte 3 32 1.5"), trace("gouraud-byte 00000003 00002000 00000180"));
+}
+
 TEST(Trace, LinesEndWithoutSpaces) {
   for (const std::string& line : trace("div 00018000 00028000 --target i8088")) {
     EXPECT_NE(line.back(), ' ') << line;
@@ -122,8 +130,8 @@ TEST(Trace, SaysWhatAMutantDoesNotKeep) {
 TEST(Trace, CountsAndChecksItsWords) {
   command::expect_refused("trace mul 00018000", "mul takes 2 words, not 1");
   command::expect_refused("trace mul 00018000 00028000 00000000", "mul takes 2 words, not 3");
-  command::expect_refused("trace cossin 00000384", "'00000384' has 8 hex digits instead of 4");
-  command::expect_refused("trace mul 0001800A 00028000", "'0001800A' is not lower-case hex");
+  command::expect_refused("trace cossin 00000384", "'00000384': a word has 4 hexadecimal digits");
+  command::expect_refused("trace mul 1800A 00028000", "'1800A': a word has 8 hexadecimal digits");
 }
 
 }  // namespace

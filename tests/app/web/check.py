@@ -9,22 +9,14 @@ import sys
 import time
 
 sys.dont_write_bytecode = True
-from page import (CASE, PAGE, PICTURES, button, drawn, expect, expect_equal, open_page, part, picture, text,
+from page import (CASE, PAGE, PICTURES, button, cells, drawn, expect, expect_equal, open_page, part, picture, text,
                   wait)
 from chromium import browser, media, size, violations
+from inputs import crossing, inputs, met
 from links import links
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-
-
-def cells(driver, table, name):
-    """Returns the cells of the row with this name."""
-    rows = driver.execute_script("""
-        const whole = (cell) => (cell.querySelector('[title]:not(.agrees)')?.title ?? cell.textContent).trim();
-        return [...document.querySelectorAll(arguments[0] + ' tbody tr')].map((row) => [...row.children].map(whole))""",
-                                 table)
-    return next(row for row in rows if row[0] == name)
 
 
 def size_(driver):
@@ -384,7 +376,8 @@ def screens(driver):
 
 
 CASES = {"size": size_, "policy": policy, "failures": failures, "bits": bits, "operation": operation, "cases": cases,
-         "keyboard": keyboard, "links": links, "scenes": scenes, "screens": screens}
+         "keyboard": keyboard, "links": links, "scenes": scenes, "screens": screens,
+         "inputs": inputs, "crossing": crossing, "met": lambda driver: met(driver, FAINT)}
 driver = browser()
 try:
     CASES[CASE](driver)

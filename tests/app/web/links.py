@@ -75,10 +75,11 @@ def views(driver):
     choose(driver, "Routine", "div")
     choose(driver, "Build", "i8088-off")
     choose(driver, "Beside", "i386-52")
-    write(driver, "Operands", "7 2")
+    write(driver, "Dividend", "7")
+    write(driver, "Divisor", "2")
     button(driver, "forward").click()
     button(driver, "forward").click()
-    shows[address(driver, "i8088-off", "i386-52", "7+2", "step=2"), "step 2 of"] = shown(driver)
+    shows[address(driver, "i8088-off", "i386-52", "7%3B2", "step=2"), "step 2 of"] = shown(driver)
     for (link, known), wanted in shows.items():
         expect(known in wanted["text"], f"#{link} does not show {known}: {wanted['text']}")
         open_page(driver, f"#{link}")

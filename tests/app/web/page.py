@@ -53,3 +53,12 @@ def part(driver, name):
 
 def button(driver, name):
     return driver.find_element(By.CSS_SELECTOR, f"button[name={name}]")
+
+
+def cells(driver, table, name):
+    """Returns the cells of the row with this name."""
+    rows = driver.execute_script("""
+        const whole = (cell) => (cell.querySelector('[title]:not(.agrees)')?.title ?? cell.textContent).trim();
+        return [...document.querySelectorAll(arguments[0] + ' tbody tr')].map((row) => [...row.children].map(whole))""",
+                                 table)
+    return next(row for row in rows if row[0] == name)

@@ -58,6 +58,11 @@ TEST(FacesViewer, ClockwiseOnTheScreenIsTheFront) {
   EXPECT_TRUE(faces_viewer(ScreenPoints{{0, 0}, {9, 0}, {9, 9}, {0, 9}}));
   EXPECT_FALSE(faces_viewer(ScreenPoints{{0, 9}, {9, 9}, {9, 0}, {0, 0}}));
   EXPECT_FALSE(faces_viewer(ScreenPoints{{0, 0}, {4, 4}, {8, 8}}));
+  // The first, the next and the last corner are on a line. Such faces are the black pixels in the
+  // balls of docs/scenes.md.
+  const ScreenPoints three_on_a_line{{1, 1}, {2, 1}, {2, 2}, {0, 1}};
+  EXPECT_FALSE(faces_viewer(three_on_a_line));
+  EXPECT_GT(area(three_on_a_line), 0);
   EXPECT_FALSE(shows_front_area(ScreenPoints{{0, 0}, {4, 4}, {8, 8}}));
   EXPECT_FALSE(shows_front_area(ScreenPoints{{1, 2}, {3, 4}}));
 }
