@@ -56,7 +56,7 @@ cases::Format any_format(Choices& choices) {
   return format;
 }
 
-cpp_rational unit_of(const cases::Format& format) {
+cpp_rational unit_value(const cases::Format& format) {
   const cpp_int power = pow(cpp_int(format.is_decimal ? 10 : 2),
                             static_cast<unsigned>(std::abs(format.fraction_bits)));
   return format.fraction_bits < 0 ? cpp_rational(power) : cpp_rational(1, power);
@@ -72,7 +72,7 @@ std::optional<cpp_rational> exact_result(const cases::Variant& v,
                                          const std::vector<std::uint64_t>& words) {
   const cases::Format format = operand_format(v);
   std::vector<cpp_rational> x;
-  for (const std::uint64_t word : words) x.push_back(number_of(word, format) * unit_of(format));
+  for (const std::uint64_t word : words) x.push_back(number_of(word, format) * unit_value(format));
   switch (v.operation) {
     case Operation::add:
       return x[0] + x[1];
@@ -135,7 +135,7 @@ check::Said right_result(const check::Rules& rules, const std::vector<std::uint6
   const cpp_int modulus = cpp_int(1) << format.word_bits;
   const cpp_int least = format.is_signed ? cpp_int(-(modulus / 2)) : cpp_int(0);
   const cpp_int most = least + modulus - 1;
-  cpp_int ulps = rounded(*exact / unit_of(format), rules.rounding);
+  cpp_int ulps = rounded(*exact / unit_value(format), rules.rounding);
   if (ulps < least || ulps > most) {
     if (rules.overflow == check::Overflow::error) return std::nullopt;
     if (rules.overflow == check::Overflow::saturate) ulps = ulps < 0 ? least : most;

@@ -97,6 +97,17 @@ void write_decimals(const fs::path& root) {
   }
 }
 
+/// Writes choices of judged_results().
+void write_choices(const fs::path& root) {
+  Corpus corpus(root, "judged_results");
+  cases::Draw draw(1, 0);
+  for (int i = 0; i < 200; ++i) {
+    std::string bytes;
+    for (int byte = 0; byte < 48; ++byte) bytes += static_cast<char>(draw.bits() & 0xffU);
+    corpus.add(bytes);
+  }
+}
+
 /// Writes a command letter and input lines; see input_lines.cpp.
 void write_lines(const fs::path& root) {
   Corpus corpus(root, "input_lines");
@@ -334,6 +345,7 @@ int main(int argc, char** argv) {
     write_steps(root);
     write_decimals(root);
     write_files(root, argv[2]);
+    write_choices(root);
     write_lines(root);
     write_spans(root);
     write_command_lines(root);
