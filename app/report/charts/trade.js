@@ -58,10 +58,12 @@ function fixedFrontierOf(points) {
 function placeLabels(spots, width) {
   const boxes = spots.map(({ x, y }) => [x - 7, y - 7, x + 7, y + 7]);
   const meets = (a) => boxes.some((b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]);
-  return spots.map(({ x, y, text }) => {
+  return spots.map(({ x, y, text, lined }) => {
     const w = 6.6 * text.length;
-    const places = [16, 30, 44, 58].flatMap((far) => [[far - 6, 0], [-far + 6 - w, 0], [-w / 2, -far], [-w / 2, far],
-      [far / 2, -far], [far / 2, far], [-far / 2 - w, -far], [-far / 2 - w, far]]);
+    // A line goes through some points, from left to right.
+    const beside = lined ? [[6, -14], [-6 - w, -14], [6, 14], [-6 - w, 14]] : [];
+    const places = [...beside, ...[16, 30, 44, 58].flatMap((far) => [[far - 6, 0], [-far + 6 - w, 0], [-w / 2, -far], [-w / 2, far],
+      [far / 2, -far], [far / 2, far], [-far / 2 - w, -far], [-far / 2 - w, far]])];
     const boxOf = ([dx, dy]) => [x + dx, y + dy - 7, x + dx + w, y + dy + 7];
     const inside = ([left, , right]) => left > 20 && right < width;
     const place = places.find((p) => inside(boxOf(p)) && !meets(boxOf(p))) ?? places[0];
@@ -103,7 +105,8 @@ function tradePlot(unsorted, choice, width) {
   const [toX, toY] = ["x", "y"].map((axis) =>
     Plot.plot({ width, ...axes, marks: [Plot.dot(points, { x: middle, y: height })] }).scale(axis));
   const places = points.length === 0 ? [] : placeLabels(points.map((p, i) =>
-    ({ x: toX.apply(middle(p)), y: toY.apply(height(p)), text: labels[i] })), width);
+    ({ x: toX.apply(middle(p)), y: toY.apply(height(p)), text: labels[i],
+      lined: p.most > p.time || named.includes(p) })), width);
   return {
     points: says,
     options: {

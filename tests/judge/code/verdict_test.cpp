@@ -265,9 +265,11 @@ TEST(Judge, ListedRoutinesOfSeveralWordsAgree) {
 }
 
 TEST(Judge, ATraceHasEachInstruction) {
-  expect(judge(routine("mul"), in_registers + "|--trace|00018000 00020000"), 0,
-         {"0000  imul ebx                       eax=00000000 edx=00000003", "000e  ret",
-          "returns 00030000"});
+  for (const char* operands : {"00018000 00020000", "1.5, 0x20000"}) {
+    expect(judge(routine("mul"), in_registers + "|--trace|" + operands), 0,
+           {"0000  imul ebx                       eax=00000000 edx=00000003", "000e  ret",
+            "returns 00030000"});
+  }
 }
 
 TEST(Judge, ATraceSaysHowACallEnds) {
