@@ -209,7 +209,10 @@ struct Matrices : Unknown {
 template <class Real>
 struct Biquad : Unknown {
   [[gnu::noinline]] std::uint32_t run() {
-    Real x1(0), x2(0), y1(0), y2(0);
+    Real x1(0);
+    Real x2(0);
+    Real y1(0);
+    Real y2(0);
     std::uint32_t sum = 0;
     for (std::uint32_t i = 0; i < chain_length; ++i) {
       const Real x = Real::from_raw(start + (static_cast<std::int32_t>(i * 2654435761U) >> 12));

@@ -58,6 +58,65 @@ TEST(Format, HexadecimalAndBinary) {
             "-8000|0|0.0000000000000011");
 }
 
+/// As for double, whose text is the same where it is exact.
+TEST(Format, WidthAndPrecisionOfOtherArguments) {
+  const q16_16 x(-1234.625);
+  const double d = -1234.625;
+  EXPECT_EQ(fmt::format("{:.{}f}", x, 2), "-1234.62");
+  EXPECT_EQ(fmt::format("{:{}}|{:<{}}|{:0{}}", x, 11, x, 11, x, 11),
+            "  -1234.625|-1234.625  |-001234.625");
+  EXPECT_EQ(fmt::format("{:*^{}.{}f}|{}", x, 12, 1, 7), "**-1234.6***|7");
+  EXPECT_EQ(fmt::format("{:*^{}.{}f}|{}", x, 12, 1, 7), fmt::format("{:*^{}.{}f}|{}", d, 12, 1, 7));
+  EXPECT_EQ(fmt::format("{2:{0}.{1}e}", 12, 2, x), fmt::format("{2:{0}.{1}e}", 12, 2, d));
+  EXPECT_EQ(fmt::format("{0:.{10}f}", x, 1, 2, 3, 4, 5, 6, 7, 8, 9, 3), "-1234.625");
+  EXPECT_EQ(fmt::format("{:{wide}.{digits}f}", x, fmt::arg("digits", 1), fmt::arg("wide", 9)),
+            "  -1234.6");
+  EXPECT_EQ(fmt::format("{:.{}f}|{:.{}f}|{:.{}f}|{:{}}", x, 0L, x, 1ULL, x, short{2}, x, 0U),
+            "-1235|-1234.6|-1234.62|-1234.625");
+  EXPECT_EQ(fmt::format("{:#{}x}", q16_16(1.5), 8), "   0x1.8");
+}
+
+TEST(Format, RefusesOtherArgumentsAsWidthOrPrecision) {
+  const q16_16 x(1);
+  const double d = 1;
+  const auto expect_refused = [&](const char* field, const auto& size) {
+    EXPECT_THROW(static_cast<void>(fmt::format(fmt::runtime(field), d, size)), fmt::format_error);
+    EXPECT_THROW(static_cast<void>(fmt::format(fmt::runtime(field), x, size)), fmt::format_error)
+        << field;
+  };
+  for (const char* field : {"{:{}}", "{:.{}f}", "{0:{1}}", "{0:.{1}}"}) {
+    expect_refused(field, -1);
+    expect_refused(field, 1.5);
+    expect_refused(field, true);
+    expect_refused(field, '1');
+    expect_refused(field, "1");
+    expect_refused(field, 3'000'000'000U);
+  }
+  for (const char* field :
+       {"{:{2}}", "{:{}.{}f}", "{0:{}}", "{:{0}}", "{:{", "{:{1", "{:{name}}", "{:{-1}}", "{:{01}}",
+        "{:{1x}}", "{:{ }}", "{:.{}", "{:.{}x", "{0:{99999999999999999999}}"}) {
+    expect_refused(field, 1);
+  }
+  EXPECT_THROW(static_cast<void>(fmt::format(fmt::runtime("{:{}}"), x, 1'000'001)),
+               fmt::format_error);
+  EXPECT_THROW(static_cast<void>(fmt::format(fmt::runtime("{:.{}x}"), x, 1)), fmt::format_error);
+}
+
+#if defined(__cpp_lib_format)
+TEST(Format, StandardWidthAndPrecisionOfOtherArguments) {
+  const q16_16 x(-1234.625);
+  EXPECT_EQ(std::format("{:.{}f}", x, 2), "-1234.62");
+  EXPECT_EQ(std::format("{:*^{}.{}f}|{}", x, 12, 1, 7), "**-1234.6***|7");
+  EXPECT_EQ(std::format("{2:{0}.{1}f}", 9, 1, x), "  -1234.6");
+  for (const char* field : {"{:{}}", "{:.{}f}", "{0:{1}}", "{:{name}}"}) {
+    const double size = 1;
+    EXPECT_THROW(static_cast<void>(std::vformat(field, std::make_format_args(x, size))),
+                 std::format_error)
+        << field;
+  }
+}
+#endif
+
 TEST(Format, RefusesWhatItDoesNotKnow) {
   const q16_16 x(1);
   for (const char* field :

@@ -27,7 +27,7 @@ class Causes : public testing::Test {
   /// Records two runs in full, expects one cause in both orders of the logs, and returns what
   /// compare() finds.
   template <class First, class Second>
-  Comparison compare(const First& first, const Second& second, Verdict expected) const {
+  Comparison compare(const First& first, const Second& second, Verdict expected) {
     record_run(a(), first);
     record_run(b(), second);
     LogFile x(a());
