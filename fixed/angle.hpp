@@ -1,6 +1,6 @@
 /// @file
-/// Angles in radians from vectors, tangents, sines and cosines, correctly rounded for every operand
-/// of every format of at most 32 bits.
+/// Angles in radians from vectors, tangents, sines and cosines, rounded to nearest, in every format
+/// of at most 32 bits; docs/functions.md says what was compared.
 ///
 /// Each result is the number nearest to the exact angle, under every policy; there are no ties. A
 /// signed format with fewer than three bits before the point, or an unsigned one with none, can

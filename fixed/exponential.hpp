@@ -1,6 +1,6 @@
 /// @file
-/// Exponentials, logarithms and hyperbolic functions, correctly rounded for every operand of every
-/// format of at most 32 bits.
+/// Exponentials, logarithms and hyperbolic functions of every format of at most 32 bits, rounded to
+/// nearest; docs/functions.md says what was compared.
 ///
 /// Each result is the number nearest to the exact value, under every policy. Only exp2 has ties. If
 /// the policy rounds products to nearest, ties follow that rule; otherwise they go up. A result out

@@ -1,5 +1,5 @@
 /// @file
-/// Roots, reciprocals, lengths and powers, correctly rounded for every operand.
+/// Roots, reciprocals, lengths and powers, to nearest; docs/functions.md says what was compared.
 ///
 /// Each result is the number nearest to the exact value, under every policy. If the policy rounds
 /// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws

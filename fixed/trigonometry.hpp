@@ -1,6 +1,6 @@
 /// @file
-/// Sines, cosines and tangents of radians, degrees and turns, correctly rounded for every operand
-/// of every format of at most 32 bits.
+/// Sines, cosines and tangents of radians, degrees and turns, rounded to nearest, in every format
+/// of at most 32 bits; docs/functions.md says what was compared.
 ///
 /// Each result is the number nearest to the exact value, under every policy. Only sines and cosines
 /// of degrees in a format without fraction bits have ties: 1/2 and -1/2. If the policy rounds

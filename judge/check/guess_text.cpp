@@ -139,11 +139,10 @@ std::string line_of(std::string_view subject, const BestRules& best,
 /// Returns the line of a subject that keeps to the two words around the exact result, where no
 /// rounding does; empty for any other subject.
 std::string faithful_line(const RuleTrial& trial) {
-  // So many results of a rounding with few exceptions would be near it by chance.
+  // A subject that breaks a rounding in few cases has that rounding, and a defect.
   const std::uint64_t broken = trial.rounding().first.exceptions.count();
   const std::uint64_t inexact = trial.inexact();
-  if (trial.faithful().exceptions.count() != 0 || inexact == 0 || 100 * broken <= inexact)
-    return "";
+  if (trial.faithful().exceptions.count() != 0 || 10 * broken <= inexact) return "";
   return fmt::format(
       "  {:<16} either neighbour, no rule, on all {} cases in range; the upper one in {:.1f} % of "
       "{} inexact ones\n",

@@ -85,10 +85,18 @@ KindTally Judge::tally(CaseKind kind, bool negative_alone) const {
 }
 
 std::vector<JudgedCase> Judge::shown() const {
+  std::vector<const FirstCases*> kinds;
+  for (const FirstCases& first : first_wrong_) {
+    if (!first.shown().empty()) kinds.push_back(&first);
+  }
+  std::ranges::sort(kinds, {},
+                    [](const FirstCases* first) { return first->shown().front().number; });
   std::vector<JudgedCase> cases;
   for (std::size_t i = 0; i < max_shown_ && cases.size() < max_shown_; ++i) {
-    for (const FirstCases& first : first_wrong_) {
-      if (i < first.shown().size() && cases.size() < max_shown_) cases.push_back(first.shown()[i]);
+    for (const FirstCases* first : kinds) {
+      if (i < first->shown().size() && cases.size() < max_shown_) {
+        cases.push_back(first->shown()[i]);
+      }
     }
   }
   std::ranges::sort(cases, {}, &JudgedCase::number);

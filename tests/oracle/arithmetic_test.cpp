@@ -19,9 +19,10 @@ struct ProductsByRule {
   Word floor;
   Word truncate;
   Word half_even;
+  Word ceiling;
 
   [[nodiscard]] Word of(Rounding rule) const {
-    return std::array{half_up, half_away, floor, truncate, half_even}.at(
+    return std::array{half_up, half_away, floor, truncate, half_even, ceiling}.at(
         static_cast<std::size_t>(rule));
   }
 };
@@ -45,28 +46,30 @@ TEST(OracleAdd, SumsAndDifferencesWrap) {
 }
 
 TEST(OracleMul, ExactProductsNeedNoRule) {
-  expect_mul(0x18000, 0x18000, {0x24000, 0x24000, 0x24000, 0x24000, 0x24000});
-  expect_mul(kMinusOne, 0x18000, {0xfffe8000, 0xfffe8000, 0xfffe8000, 0xfffe8000, 0xfffe8000});
+  expect_mul(0x18000, 0x18000, {0x24000, 0x24000, 0x24000, 0x24000, 0x24000, 0x24000});
+  expect_mul(kMinusOne, 0x18000,
+             {0xfffe8000, 0xfffe8000, 0xfffe8000, 0xfffe8000, 0xfffe8000, 0xfffe8000});
 }
 
 TEST(OracleMul, HalvesOfAnUlp) {
-  expect_mul(kHalf, 1, {1, 1, 0, 0, 0});
-  expect_mul(kHalf, 3, {2, 2, 1, 1, 2});
-  expect_mul(kMinusHalf, 1, {0, 0xffffffff, 0xffffffff, 0, 0});
-  expect_mul(kMinusHalf, 3, {0xffffffff, 0xfffffffe, 0xfffffffe, 0xffffffff, 0xfffffffe});
-  expect_mul(kMinusHalf, 0xffffffff, {1, 1, 0, 0, 0});
+  expect_mul(kHalf, 1, {1, 1, 0, 0, 0, 1});
+  expect_mul(kHalf, 3, {2, 2, 1, 1, 2, 2});
+  expect_mul(kMinusHalf, 1, {0, 0xffffffff, 0xffffffff, 0, 0, 0});
+  expect_mul(kMinusHalf, 3,
+             {0xffffffff, 0xfffffffe, 0xfffffffe, 0xffffffff, 0xfffffffe, 0xffffffff});
+  expect_mul(kMinusHalf, 0xffffffff, {1, 1, 0, 0, 0, 1});
 }
 
 TEST(OracleMul, OneUnitBesideAHalf) {
-  expect_mul(0x7fff, 1, {0, 0, 0, 0, 0});
-  expect_mul(0x8001, 1, {1, 1, 0, 0, 1});
-  expect_mul(0xffff8001, 1, {0, 0, 0xffffffff, 0, 0});
-  expect_mul(0xffff7fff, 1, {0xffffffff, 0xffffffff, 0xffffffff, 0, 0xffffffff});
+  expect_mul(0x7fff, 1, {0, 0, 0, 0, 0, 1});
+  expect_mul(0x8001, 1, {1, 1, 0, 0, 1, 1});
+  expect_mul(0xffff8001, 1, {0, 0, 0xffffffff, 0, 0, 0});
+  expect_mul(0xffff7fff, 1, {0xffffffff, 0xffffffff, 0xffffffff, 0, 0xffffffff, 0});
 }
 
 TEST(OracleMul, WrapsWhereItDoesNotFit) {
-  expect_mul(kLeast, kLeast, {0, 0, 0, 0, 0});
-  expect_mul(kLeast, kMinusOne, {kLeast, kLeast, kLeast, kLeast, kLeast});
+  expect_mul(kLeast, kLeast, {0, 0, 0, 0, 0, 0});
+  expect_mul(kLeast, kMinusOne, {kLeast, kLeast, kLeast, kLeast, kLeast, kLeast});
   EXPECT_EQ(exact_product(kLeast, kLeast, Rounding::floor, 16), Integer(1) << 46);
   EXPECT_EQ(exact_product(kLeast, kMinusOne, Rounding::floor, 16), Integer(1) << 31);
 }

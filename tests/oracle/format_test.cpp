@@ -88,7 +88,11 @@ TEST(OracleFormat, WordsOfEachWidth) {
   EXPECT_EQ(oracle::lowest({64, 63, true}), -(Integer(1) << 63));
   EXPECT_THROW(static_cast<void>(oracle::lowest({65, 3, true})), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(oracle::wrap(1, {0, 0, true})), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(oracle::wrap(1, {8, 9, true})), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(oracle::one({8, 9, true})), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(oracle::exact_product(1, 1, Rounding::floor, {8, -1, true})),
+               std::invalid_argument);
+  // The words of a format do not depend on their unit.
+  EXPECT_EQ(oracle::wrap(257, {8, 9, true}), 1U);
 }
 
 TEST(OracleFormat, ConversionRoundsOnce) {

@@ -48,7 +48,7 @@ constexpr std::uint64_t all_ones(const Format& format) {
 /// The bits of the integer that stores a word: the next of 8, 16, 32 and 64.
 constexpr int storage_bits(const Format& format) {
   int bits = 8;
-  while (bits < format.word_bits) bits *= 2;
+  while (bits < format.word_bits && bits < 64) bits *= 2;
   return bits;
 }
 

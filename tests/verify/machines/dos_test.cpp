@@ -111,13 +111,15 @@ TEST_F(Dos, EveryProgramAnswersAsTheModel) {
   }
 }
 
-TEST_F(Dos, AProgramReadsLinesAsEvalDoes) {
+TEST_F(Dos, AProgramReadsPlainLinesAsEvalDoes) {
   if (!command::has("dosbox")) GTEST_SKIP() << "dosbox is not installed";
   make("DIV.COM", "div --target i8088");
   const std::string good = "# a comment\n\n \t\n00010000 00000000\r\n00030000 00020000";
+  // eval takes the first three, as people write them.
+  constexpr std::size_t loose = 3;
   const std::vector<std::string> bad{
-      "0003000 00020000",    "00030000  00020000", "00030000 00020000 ",
-      "00030000 0002000A",   "00030000",           "00030000 00020000 1",
+      "00030000  00020000",  "00030000 00020000 ", "00030000 0002000A",
+      "0003000 00020000",    "00030000",           "00030000 00020000 1",
       std::string(300, '0'), "0003000g 00020000",  "/0030000 00020000"};
   folder_.write("GOOD.IN", good);
   std::string commands = "DIV.COM < GOOD.IN > GOOD.OUT\nif not errorlevel 1 echo 0 > GOOD.ST\n";
@@ -133,7 +135,8 @@ TEST_F(Dos, AProgramReadsLinesAsEvalDoes) {
   for (std::size_t i = 0; i < bad.size(); ++i) {
     EXPECT_EQ(folder_.read(fmt::format("BAD{}.OUT", i)), "00018000\r\n") << bad[i];
     EXPECT_TRUE(std::filesystem::exists(folder_.path(fmt::format("BAD{}.ST", i)))) << bad[i];
-    EXPECT_EQ(command::fixproof("eval div --target i8088", bad[i] + "\n").status, 2) << bad[i];
+    EXPECT_EQ(command::fixproof("eval div --target i8088", bad[i] + "\n").status, i < loose ? 0 : 2)
+        << bad[i];
   }
 }
 
