@@ -229,11 +229,11 @@ bool is_within(const Within& within, const cases::Variant& variant, const Operan
   // |result - exact|, in parts of the product of the denominators.
   const oracle::Integer off =
       abs(result.numerator * exact.denominator - exact.numerator * result.denominator);
-  const oracle::Ratio unit = within.is_relative
-                                 ? oracle::Ratio{abs(exact.numerator), exact.denominator}
-                                 : unit_of(variant.format);
-  return off * unit.denominator * within.bound.denominator <=
-         unit.numerator * within.bound.numerator * result.denominator * exact.denominator;
+  const oracle::Ratio scale = within.is_relative
+                                  ? oracle::Ratio{abs(exact.numerator), exact.denominator}
+                                  : unit_of(variant.format);
+  return off * scale.denominator * within.bound.denominator <=
+         scale.numerator * within.bound.numerator * result.denominator * exact.denominator;
 }
 
 Expected expected_of(const Rules& rules, const Operands& operands) {
