@@ -237,8 +237,8 @@ lowest, and an unsigned one saturates a negative difference to 0:
   de          DE, a divide error
   any         every result is accepted and counted
   00000000    this word, or -1.5, the word of this number
-A square root is a tie only if its results have a coarser unit, so half-up, half-away and half-even
-agree. floor and toward-zero agree too, except under mirror, where floor rounds away from zero.
+A square root can be a tie only if a unit of its results is coarser than one of its operands, or
+above 1; else half-up, half-away and half-even agree. floor and toward-zero agree too, except under mirror, where floor rounds away from zero.
 Under saturate and symmetric, 0 / 0 and NaN may also be 0.
 
 --rule names the program whose routine the results should be those of, for every operand, faults

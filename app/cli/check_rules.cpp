@@ -21,12 +21,14 @@ namespace {
 template <class Rule>
 void set_rule(std::string_view option, const std::string& text, std::span<const Rule> rules,
               const cases::Format& format, Rule& rule, std::uint64_t& word) {
-  const bool is_name = text == "any" || std::ranges::any_of(rules, [&](Rule known) {
-                         return check::name_of(known) == text;
+  // DE is a result, never the word de of eight bits.
+  const std::string_view name = text == "DE" ? std::string_view("de") : text;
+  const bool is_name = name == "any" || std::ranges::any_of(rules, [&](Rule known) {
+                         return check::name_of(known) == name;
                        });
   const input::Number number = input::number_of(text, format, input::Bare::word);
   if (is_name || !number.error.empty()) {
-    rule = rule_named(option, text, rules, std::optional(Rule::any), "a word or number");
+    rule = rule_named(option, name, rules, std::optional(Rule::any), "a word or number");
     return;
   }
   const auto units = cases::to_ulps(number.exact, oracle::Rounding::floor, format);
@@ -42,10 +44,11 @@ void set_rule(std::string_view option, const std::string& text, std::span<const 
 
 /// Returns the bound of --within: a number of ulps, or a percentage of the exact result.
 check::Within within_of(std::string_view text) {
+  const std::string whole(text);
   const bool is_relative = text.ends_with('%');
   if (is_relative) text.remove_suffix(1);
   try {
-    check::Within within{check::parse_decimal(text), is_relative};
+    check::Within within{check::parse_decimal(text), is_relative, whole};
     if (within.bound.numerator < 0) throw support::UsageError("a bound is not negative");
     if (is_relative) within.bound.denominator *= 100;
     return within;

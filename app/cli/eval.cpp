@@ -114,6 +114,11 @@ int run(const EvalOptions& options) {
   const bool has_party =
       !variant.from && cases::is_of_type(variant.format) && !cases::is_sum(operation);
   if (!has_party) {
+    if (!check::is_judged(operation)) {
+      throw support::UsageError(
+          fmt::format("{} has formats of 8, 16, 32 or 64 bits such as q16_16, which {} is not",
+                      options.operation, cases::name_of(variant.format)));
+    }
     if (!options.by.empty() && options.by != "oracle") {
       throw support::UsageError(fmt::format(
           "--by {}: only the oracle answers sums, results of another format and formats such as "
@@ -123,7 +128,8 @@ int run(const EvalOptions& options) {
     answer_exactly(variant);
     return 0;
   }
-  const bool by_model = cases::is_routine(operation) && options.formats.format.empty();
+  const bool by_model =
+      cases::is_routine(operation) && options.formats.format.empty() && options.formats.to.empty();
   const bool by_type = parties::party_named("type").answers(variant);
   const std::string by = !options.by.empty() ? options.by
                          : by_model          ? "model"

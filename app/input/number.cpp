@@ -35,10 +35,10 @@ std::optional<std::uint64_t> units_of(std::string_view text, int base) {
   return units;
 }
 
-/// Reads the integer that stores a word, or the word's own bits.
-Number word_of(std::uint64_t bits, const cases::Format& format) {
+/// Reads the integer that stores a word, or the word's own bits if that is `allowed`.
+Number word_of(std::uint64_t bits, const cases::Format& format, bool allowed) {
   std::uint64_t word = cases::stored_or_word(bits, format);
-  if ((word & ~cases::all_ones(format)) != 0) word = bits;
+  if (allowed && (word & ~cases::all_ones(format)) != 0) word = bits;
   if ((word & ~cases::all_ones(format)) != 0) {
     return {.error = "not a word of " + std::to_string(format.word_bits) + " bits"};
   }
@@ -63,7 +63,7 @@ Number units_after_prefix(std::string_view text, char prefix, std::string_view s
                      std::to_string(bits / 4) + " hexadecimal digits, after 0b up to " +
                      std::to_string(bits) + " bits"};
   }
-  if (sign.empty()) return word_of(*units, format);
+  if (sign.empty()) return word_of(*units, format, true);
   oracle::Integer value = *units;
   if (sign == "-") value = -value;
   return {.exact = cases::value_of(value, format), .is_word = true};
@@ -99,7 +99,7 @@ Number decimal_of(const std::string& text) {
 std::optional<Number> bare_word_of(std::string_view text, const cases::Format& format) {
   const std::size_t digits = digits_of(format);
   const bool all_hex = std::all_of(text.begin(), text.end(), is_hex);
-  if (all_hex && text.size() == digits) return word_of(*units_of(text, 16), format);
+  if (all_hex && text.size() == digits) return word_of(*units_of(text, 16), format, false);
   const bool all_decimal =
       std::all_of(text.begin(), text.end(), [](char c) { return is_digit(c) || c == '_'; });
   const bool leading_zero = all_decimal && text.size() > 1 && text[0] == '0';

@@ -184,7 +184,7 @@ constexpr std::int64_t careful_tangent(std::uint64_t a, std::uint64_t b, bool is
     const int128 tangent = truncated_ratio(int128{a} << 62, int128{b});
     // Errors e of a and of b make e / b + e a / b^2 < 1.1 e (1 + a/b)^2.
     const std::int64_t bound = static_cast<std::int64_t>(tangent >> 62) + 2;
-    FIXED_ASSERT(tangent >> 62 < int128{1} << 26 && bound >= 2);
+    FIXED_ASSERT((tangent >> 62) < (int128{1} << 26) && bound >= 2);
     const nearest_ends ends =
         // NOLINTNEXTLINE(bugprone-implicit-widening-of-multiplication-result): bound < 2^27
         nearest_within(tangent, int128{10 * bound} * int128{bound}, 62 - fraction_bits);

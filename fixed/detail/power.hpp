@@ -174,7 +174,7 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
   if (shift < -100) return {true, 0};
   const int places = static_cast<int>(-shift);
   // Powers from 2^34 ulps on never come here, because both ends of their bounds are beyond.
-  FIXED_ASSERT(power >> places < int128{1} << 36);
+  FIXED_ASSERT((power >> places) < (int128{1} << 36));
   // Rule floor is for magnitudes whose negatives round half up: only ties go down.
   if constexpr (R == rounding::floor) {
     return {true, -static_cast<std::int64_t>(shift_right<rounding::half_up>(-power, places))};

@@ -16,8 +16,8 @@ using cases::Operation;
 using oracle::Integer;
 using oracle::Ratio;
 
-/// The root of a number that is not negative, exact or rounded down to 220 bits after the point and
-/// a bit more, which no word or tie has.
+/// The root of a number that is not negative, exact or halfway between two multiples of 2^-220. An
+/// irrational root of words is farther than that from every word and tie.
 Ratio root_of(const Ratio& square) {
   constexpr unsigned precision = 220;
   // sqrt(n / d) = sqrt(n d) / d

@@ -14,7 +14,7 @@ namespace fixproof::check {
 
 struct ExactValue {
   /// Empty without a result: a zero divisor, a negative radicand, outside a domain. An irrational
-  /// value is off by less than 2^-200 ulps, and on the right side of every word and tie.
+  /// value is off by at most 2^-200, and on the right side of every word and tie.
   std::optional<oracle::Ratio> value;
   /// Of a negative radicand: minus the root of its magnitude.
   std::optional<oracle::Ratio> mirrored{};

@@ -36,10 +36,11 @@ std::string phrase(Overflow rule, const cases::Format& format) {
   return "gives anything";
 }
 
-std::string phrase(NoResult rule, const cases::Format& format, std::string_view sign_of) {
+std::string phrase(NoResult rule, const cases::Variant& variant, std::string_view sign_of) {
+  const cases::Format& format = variant.format;
   const std::string high = hex_text(highest(format), format);
   const auto by_sign = [&](std::uint64_t low) {
-    if (!format.is_signed) return fmt::format("gives {}", high);
+    if (!has_sign_without_result(variant)) return fmt::format("gives {}", high);
     return fmt::format("gives {} or {}, by the sign of the {}", high, hex_text(low, format),
                        sign_of);
   };
@@ -164,7 +165,8 @@ std::string rounding_line(const RuleTrial& trial, const BestRules& best, const R
   if (std::string line = faithful_line(trial); !line.empty()) return line;
   std::vector<std::string> names;
   for (const std::size_t i : best.rules) names.emplace_back(name_of(roundings()[i]));
-  if (operation == cases::Operation::sqrt && !followed.variant.from && best.first.cases > 0) {
+  if (operation == cases::Operation::sqrt && !followed.variant.from &&
+      followed.variant.format.fraction_bits >= 0 && best.first.cases > 0) {
     // A root is never halfway, so the roundings act as three: to nearest, down and up.
     const oracle::Rounding rule = roundings()[best.rules.front()];
     names = {rule == oracle::Rounding::floor     ? "down"
@@ -234,7 +236,7 @@ std::string guess_text(const Judge& judge) {
     names.clear();
     const NoResultNames called = no_result_names(operation);
     for (const std::size_t i : none.rules) {
-      names.push_back(phrase(rules[i], format, called.sign_of));
+      names.push_back(phrase(rules[i], variant, called.sign_of));
     }
     followed.no_result = rules[none.rules.front()];
     if (followed.no_result == NoResult::mirror && names.size() == 1) {

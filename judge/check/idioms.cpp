@@ -242,7 +242,7 @@ bool Idiom::is_for(const cases::Variant& of) const {
 }
 
 std::string Idiom::text_in(const Format& format) const {
-  const int wide_bits = 2 * format.word_bits;
+  const int wide_bits = 2 * cases::storage_bits(format);
   const std::string sign = format.is_signed ? "" : "u";
   const Integer ulps = one<Integer>(format);
   const int low = format.fraction_bits / 2;

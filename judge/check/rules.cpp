@@ -29,6 +29,12 @@ constexpr std::array<Overflow, 5> unsigned_overflow_rules{
     Overflow::wrap, Overflow::saturate, Overflow::maximum, Overflow::minimum, Overflow::error};
 constexpr std::array<NoResult, 3> unsigned_divisor_rules{NoResult::error, NoResult::saturate,
                                                          NoResult::zero};
+constexpr std::array<NoResult, 4> rules_of_unsigned_results{NoResult::error, NoResult::saturate,
+                                                            NoResult::maximum, NoResult::zero};
+constexpr std::array<NoResult, 3> domain_rules_of_unsigned_results{
+    NoResult::error, NoResult::maximum, NoResult::zero};
+constexpr std::array<NoResult, 4> root_rules_of_unsigned_results{NoResult::error, NoResult::maximum,
+                                                                 NoResult::zero, NoResult::mirror};
 constexpr std::array<NoResult, 5> negative_root_rules{
     NoResult::error, NoResult::maximum, NoResult::minimum, NoResult::zero, NoResult::mirror};
 
@@ -131,11 +137,8 @@ std::string_view name_of(NoResult rule) {
 
 std::string text_of_rounding(const Rules& rules) {
   if (rules.within) {
-    const auto& [bound, is_relative] = *rules.within;
-    const double number =
-        static_cast<double>(bound.numerator) / static_cast<double>(bound.denominator);
-    return is_relative ? fmt::format("within {:g} %", 100 * number)
-                       : fmt::format("within {:g} ulp", number);
+    return fmt::format("within {}{}", rules.within->text,
+                       rules.within->is_relative ? " of the exact result" : " ulp");
   }
   if (rules.faithful) return std::string(faithful);
   return is_rounded(rules.variant) ? std::string(name_of(rules.rounding)) : "exact";
@@ -171,7 +174,7 @@ bool is_rounded(const cases::Variant& v) {
       !is_multiple(from.numerator * from.numerator, from.denominator * from.denominator)) {
     return true;
   }
-  return v.operation != mul && !is_multiple(from.numerator, from.denominator);
+  return v.operation != mul && v.operation != dot && !is_multiple(from.numerator, from.denominator);
 }
 
 std::span<const Rounding> roundings() { return all_roundings; }
@@ -191,9 +194,16 @@ std::span<const Overflow> overflow_rules(const cases::Format& format) {
 }
 std::span<const NoResult> no_result_rules(const cases::Variant& variant) {
   if (!can_lack_result(variant)) return {};
-  const bool has_sign = variant.format.is_signed || (variant.from && variant.from->is_signed);
-  if (!has_sign) return unsigned_divisor_rules;
-  return no_result_rules(variant.operation);
+  if (variant.operation == cases::Operation::sqrt && !variant.format.is_signed) {
+    return root_rules_of_unsigned_results;
+  }
+  if (cases::is_function(variant.operation)) {
+    if (variant.format.is_signed) return outside_domain_rules;
+    return domain_rules_of_unsigned_results;
+  }
+  if (variant.format.is_signed) return no_result_rules(variant.operation);
+  if (has_sign_without_result(variant)) return rules_of_unsigned_results;
+  return unsigned_divisor_rules;
 }
 
 std::optional<Rounded> rounded_result(const cases::Variant& variant, const Operands& operands,

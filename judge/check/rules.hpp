@@ -49,6 +49,7 @@ struct PortRule;
 struct Within {
   oracle::Ratio bound{};  ///< in ulps, or as a share of the exact result
   bool is_relative = false;
+  std::string text{};  ///< as the user wrote it: `2`, `0.5%`
 };
 
 struct Rules {
@@ -80,14 +81,14 @@ constexpr bool is_remainder(cases::Operation operation) {
 /// word need only read as that word.
 bool is_rounded(const cases::Variant& variant);
 
-/// Tells whether a result can lie outside the range of words. A root does if a signed word has no
-/// bit before the point: sqrt(0.49) in q0_8.
+/// Tells whether a result can lie outside the range of words. A root can if the format lacks 1.0:
+/// rounded up, that of the highest word is beyond it, and sqrt(0.49) in q0_8 is.
 constexpr bool can_overflow(const cases::Variant& v) {
   if (v.operation == cases::Operation::to_decimal) return false;
-  if (v.from || v.format.is_decimal) return true;
+  if (v.from) return true;
   if (is_remainder(v.operation)) return false;
-  return v.operation != cases::Operation::sqrt ||
-         (v.format.is_signed && v.format.fraction_bits >= v.format.word_bits);
+  const bool has_one = v.format.fraction_bits < 0 || whole_one(v.format);
+  return v.operation != cases::Operation::sqrt || !has_one;
 }
 
 /// Tells whether some operands have no result: a zero divisor, a negative radicand, a double that
@@ -96,6 +97,11 @@ constexpr bool can_lack_result(const cases::Variant& v) {
   return cases::divides(v.operation) || v.operation == cases::Operation::from_binary64 ||
          (v.operation == cases::Operation::sqrt && operand_format(v).is_signed) ||
          cases::is_function(v.operation);
+}
+
+/// Tells whether operands without a result can be negative: words with a sign, and doubles.
+constexpr bool has_sign_without_result(const cases::Variant& v) {
+  return v.operation == cases::Operation::from_binary64 || operand_format(v).is_signed;
 }
 
 /// The names on the command line.
@@ -118,7 +124,8 @@ std::span<const Overflow> overflow_rules();
 /// Every rule with a name except `any` that applies to the operation, for options; empty if it has
 /// a result for all operands.
 std::span<const NoResult> no_result_rules(cases::Operation operation);
-/// Those that differ in the format, for guesses. An unsigned word has no sign to decide by.
+/// Those that differ, for guesses. An unsigned word has no lowest word but 0, and an operand
+/// without a sign cannot decide by it.
 std::span<const Overflow> overflow_rules(const cases::Format& format);
 std::span<const NoResult> no_result_rules(const cases::Variant& variant);
 

@@ -26,11 +26,19 @@ int width_of_fraction(const Format& format) {
   return format.is_decimal ? format.fraction_bits * 10 / 3 : format.fraction_bits;
 }
 
-/// Tells whether a change of format has operands halfway between two results.
-bool drops_bits(const Variant& v, int fewest) {
+/// Returns half a unit of the results in units of the operands, if that is whole and they have
+/// ties; otherwise 0.
+std::uint64_t half_dropped(const Variant& v) {
   const Format from = operand_format(v);
-  return !from.is_decimal && !v.format.is_decimal && dropped_bits(v) >= fewest &&
-         dropped_bits(v) <= from.word_bits;
+  const int dropped = dropped_bits(v);
+  if (from.is_decimal != v.format.is_decimal || dropped < 1) return 0;
+  if (!from.is_decimal) return dropped > from.word_bits ? 0 : std::uint64_t{1} << (dropped - 1);
+  std::uint64_t half = 5;
+  for (int i = 1; i < dropped; ++i) {
+    if (half > largest(from) / 10) return 0;
+    half *= 10;
+  }
+  return half <= largest(from) ? half : 0;
 }
 
 // Doubles.
@@ -88,7 +96,12 @@ std::uint64_t double_in(Stream stream, Draw& draw, const Format& format) {
 /// A word of `from` halfway between two of the results' words.
 std::uint64_t word_tie(Draw& draw, const Variant& v) {
   const Format from = operand_format(v);
-  const std::uint64_t half = std::uint64_t{1} << (dropped_bits(v) - 1);
+  const std::uint64_t half = half_dropped(v);
+  if (from.is_decimal) {
+    // An odd multiple of half a unit of the results.
+    const std::uint64_t units = draw.bits() % (largest(from) / half + 1);
+    return either_sign(draw, half * (units % 2 == 0 && units != 0 ? units - 1 : units | 1), from);
+  }
   std::uint64_t word = any_width(draw, from);
   // In one of eight cases next to the end of the results' range, if `from` reaches it.
   const int end = magnitude_bits(v.format) + dropped_bits(v);
@@ -164,6 +177,24 @@ void leave_halfway(std::string& digits, std::uint32_t where, std::uint32_t dista
 
 }  // namespace
 
+bool has_ties_of_words(Operation operation) {
+  return operation == Operation::convert || operation == Operation::add ||
+         operation == Operation::sub;
+}
+
+WordPair sum_tie(Stream stream, Draw& draw, const Variant& v) {
+  const Format from = operand_format(v);
+  // Both operands are on the side of the tie, so neither leaves the range.
+  const std::uint64_t tie = word_in(stream, draw, v);
+  const bool below_0 = from.is_signed && tie >> (from.word_bits - 1) != 0;
+  const std::uint64_t size = below_0 ? (0 - tie) & all_ones(from) : tie;
+  const std::uint64_t part = size == 0 ? 0 : draw.bits() % size;
+  const std::uint64_t first = below_0 ? 0 - part : part;
+  const std::uint64_t rest = tie - first;
+  const std::uint64_t second = v.operation == Operation::sub ? 0 - rest : rest;
+  return {first & all_ones(from), second & all_ones(from)};
+}
+
 bool has_conversion_stream(Stream stream, const Variant& v) {
   switch (stream) {
     case Stream::lattice:
@@ -175,11 +206,13 @@ bool has_conversion_stream(Stream stream, const Variant& v) {
     case Stream::value_ties:
       return (v.operation == Operation::from_binary64 && !v.format.is_decimal) ||
              v.operation == Operation::from_decimal ||
-             (v.operation == Operation::convert && drops_bits(v, 1));
+             (has_ties_of_words(v.operation) && half_dropped(v) != 0);
     case Stream::near_value_ties:
       // A word next to a tie is not a tie itself if two bits are dropped.
       return has_conversion_stream(Stream::value_ties, v) &&
-             (v.operation != Operation::convert || drops_bits(v, 2));
+             (!has_ties_of_words(v.operation) || half_dropped(v) > 1) &&
+             // A tie of units above 1 has no digit after the point to change.
+             (v.operation != Operation::from_decimal || v.format.fraction_bits >= 0);
     default:
       return false;
   }

@@ -7,13 +7,22 @@
 #include <string>
 
 #include "verify/cases/draw.hpp"
+#include "verify/cases/format_makers.hpp"
 #include "verify/cases/streams.hpp"
 #include "verify/cases/variant.hpp"
 
 namespace fixproof::cases {
 
-/// Tells whether the conversion has cases in a stream. A conversion that drops no fraction bit has
-/// no ties.
+/// Tells whether the operation's ties are words halfway between two results: it is convert, add or
+/// sub.
+bool has_ties_of_words(Operation operation);
+
+/// Makes operands of add or sub whose sum or difference lies halfway between two words of the
+/// results, or next to that. Of unsigned words only the sum does.
+WordPair sum_tie(Stream stream, Draw& draw, const Variant& variant);
+
+/// Tells whether the conversion has cases in a stream; value_ties and near_value_ties also of add
+/// and sub. What drops no fraction has no ties.
 bool has_conversion_stream(Stream stream, const Variant& variant);
 
 /// The number of boundary cases of a conversion.

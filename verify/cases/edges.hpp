@@ -23,7 +23,8 @@ constexpr bool has_edges(Operation operation) {
 /// quarter turn: the 64 multiples next to zero and the last 64 on each side. The oracle finds the
 /// edges between neighbours of boundary_lattice(). Of two operands, either is from the lattice.
 ///
-/// The words are computed once for each operation and format, and live as long as the program.
+/// Results have the format of the operands. The words are computed once for each operation and
+/// format, and live as long as the program.
 /// @pre has_edges(operation) and is_in_format(operation, format)
 std::span<const std::uint32_t> edge_words(Operation operation, const Format& format);
 

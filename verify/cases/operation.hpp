@@ -158,7 +158,7 @@ constexpr std::size_t words_in(Operation o) { return row_of(o).words_in; }
 constexpr std::size_t words_out(Operation o) { return row_of(o).words_out; }
 /// The most products of `dot`.
 inline constexpr std::size_t max_terms = 64;
-/// Of what verify compares, sums not among it.
+/// The most words of an operation that verify compares; sums are not compared.
 inline constexpr std::size_t max_words_in = 24;
 inline constexpr std::size_t max_words_out = 12;
 

@@ -96,10 +96,15 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
               {Stream::hard_angles},    {Stream::edges}};
     case Operation::decimal:
     case Operation::binary64:
-    case Operation::add:
-    case Operation::sub:
     case Operation::to_decimal:
       break;
+    case Operation::add:
+    case Operation::sub:
+      return {{Stream::lattice},
+              {Stream::uniform, sample},
+              {Stream::scaled, sample},
+              {Stream::value_ties, sample},
+              {Stream::near_value_ties, sample}};
     case Operation::from_binary64:
     case Operation::convert:
     case Operation::from_decimal:
@@ -147,6 +152,9 @@ bool offers(const Variant& variant, Stream stream) {
     case Stream::quarter_turns:
     case Stream::hard_angles:
       return false;
+    case Stream::value_ties:
+    case Stream::near_value_ties:
+      return has_conversion_stream(stream, variant);
     default:
       return maker_format(stream, variant).has_value();
   }
@@ -156,7 +164,13 @@ std::vector<Share> streams_of(const Variant& variant, int level) {
   if (level == 3) return {{Stream::every}};
   const std::uint64_t factor = level == 2 ? level_2_factor : 1;
   if (has_routine_format(variant)) {
-    return sampled_streams(variant.operation, sample_of(variant.operation) * factor);
+    std::vector<Share> shares =
+        sampled_streams(variant.operation, sample_of(variant.operation) * factor);
+    // Sums of words are exact.
+    std::erase_if(shares, [](const Share& one) {
+      return one.stream == Stream::value_ties || one.stream == Stream::near_value_ties;
+    });
+    return shares;
   }
   // There are three dozen formats, each with its own plan. A conversion has many pairs of them.
   constexpr std::uint64_t sample = 10'000;

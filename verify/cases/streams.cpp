@@ -164,7 +164,7 @@ bool is_stream_of(Stream stream, const Variant& variant) {
       return has_edges(operation) && is_in_format(operation, operand_format(variant));
     case Stream::value_ties:
     case Stream::near_value_ties:
-      return false;
+      return has_ties_of_words(operation) && has_conversion_stream(stream, variant);
     case Stream::quarter_turns:
     case Stream::hard_angles:
       break;
@@ -224,7 +224,14 @@ std::optional<std::uint64_t> size_of(Stream stream, const Variant& variant) {
 
 namespace {
 
-/// Makes a product like those of a stream, and what is added to it: whole units.
+/// Returns the bits of an operand that are whole units of the results, in binary scales.
+std::uint64_t whole_bits(const Variant& v) {
+  const int dropped = operand_format(v).fraction_bits - v.format.fraction_bits;
+  if (v.format.is_decimal || dropped <= 0) return ~std::uint64_t{0};
+  return dropped > 63 ? 0 : ~std::uint64_t{0} << dropped;
+}
+
+/// Makes a product like those of a stream, and what is added to it: whole units of the results.
 template <class Make>
 void make_sum(const Variant& variant, Draw& draw, const Format& format,
               std::span<std::uint64_t> operands, Make make) {
@@ -233,12 +240,12 @@ void make_sum(const Variant& variant, Draw& draw, const Format& format,
     case Operation::mul_add:
       operands[0] = pair.first;
       operands[1] = pair.second;
-      operands[2] = any_width(draw, format);
+      operands[2] = any_width(draw, format) & whole_bits(variant);
       return;
     case Operation::lerp: {
-      // The difference b - a is the first factor. If it leaves the range, a is 0.
-      const std::uint64_t end = draw.coin() ? any_width(draw, format) : 0;
-      const std::uint64_t from = (end - pair.first) & all_ones(format);
+      // The difference b - a is the first factor. If that takes b out of the range, a is 0.
+      const std::uint64_t from = draw.coin() ? any_width(draw, format) & whole_bits(variant) : 0;
+      const std::uint64_t end = (from + pair.first) & all_ones(format);
       const bool is_same_side = ((end ^ from) >> (format.word_bits - 1) & 1U) == 0;
       operands[0] = is_same_side ? from : 0;
       operands[1] = is_same_side ? end : pair.first;
@@ -331,6 +338,9 @@ void make_cases_in(Stream stream, const Variant& variant, std::uint64_t key, std
       return triples(whole_length);
     case Stream::near_length_ties:
       return triples(near_length_tie);
+    case Stream::value_ties:
+    case Stream::near_value_ties:
+      return pairs([&](Draw& draw, const Format&) { return sum_tie(stream, draw, variant); });
     case Stream::extremes:
       return sums([&](Draw& draw, std::span<std::uint64_t> operands) {
         const bool same = draw.coin();

@@ -46,8 +46,9 @@ enum class Stream : std::uint8_t {
   // sin and cos.
   quarter_turns,  ///< words next to multiples of a quarter turn, and one unit from them
   hard_angles,    ///< the 16.16 words whose sine or cosine comes nearest to halfway
-  // Conversions. Their uniform doubles have any bits; their uniform decimals have few digits.
-  value_ties,       ///< the operand lies halfway between two words of the results
+  // Conversions, and add and sub with results of a coarser unit. Uniform doubles of conversions
+  // have any bits; their uniform decimals have few digits.
+  value_ties,       ///< the operand or the sum lies halfway between two words of the results
   near_value_ties,  ///< ... or next to halfway: the next double or word, or a digit far behind
   // fmod and remainder.
   half_multiples,  ///< the dividend is a multiple of half the divisor, or a unit from one

@@ -135,11 +135,65 @@ TEST(CheckAnyFormat, SumsAreRoundedOnce) {
   EXPECT_EQ(evaluated("lerp --format q1_31", "80000000 7fffffff 40000000"), "00000000");
   command::expect_refused("verify dot", "dot is a sum, which only gen, eval and check take");
   command::expect_refused("gen mul --terms 3", "--terms applies only to dot");
+  EXPECT_EQ(evaluated("mul --to q16_16", "1.5 2"), "00030000");
+  command::expect_refused("eval decimal --format q2_16", "which q2_16 is not");
 }
 
 TEST(CheckAnyFormat, TheCasesOfADotProductFindTheSmallestDefect) {
   const auto gen = command::output_of("gen dot --format q1_15");
   EXPECT_NE(gen.find("8000 8000 8000 8000\n"), std::string::npos);
+}
+
+TEST(CheckAnyFormat, RootsThatRoundUpCanOverflow) {
+  EXPECT_EQ(
+      checked("sqrt --format q1_15 --rounding ceiling --overflow saturate", "7fff", "7fff").status,
+      0);
+}
+
+TEST(CheckAnyFormat, CentsHaveTies) {
+  // Half-even results fail as half-up, because ties are among the cases.
+  for (const char* operation : {"convert", "add", "sub"}) {
+    const auto v = variant_of(fixproof::cases::operation_named(operation),
+                              judged_format_named("d64_8"), judged_format_named("d64_2"));
+    GeneratedCases cases(v, {.cases = 3000});
+    Rules even{.variant = v, .rounding = oracle::Rounding::half_even};
+    Judge judge({.variant = v}, 1);
+    while (const auto one = cases.next_converted()) {
+      JudgedCase judged;
+      judged.converted = one;
+      judged.said = expected_of(even, *one).said;
+      judge.add(judged);
+    }
+    EXPECT_GT(judge.tally(CaseKind::tie, false).cases, 100U) << operation;
+    EXPECT_GT(judge.wrong(), 0U) << operation;
+  }
+}
+
+TEST(CheckAnyFormat, SumsOfCoarserResultsHaveTies) {
+  for (const char* operation : {"mul_add", "lerp", "dot"}) {
+    const auto v = variant_of(fixproof::cases::operation_named(operation), format_named("q8_8"),
+                              judged_format_named("q12_4"));
+    GeneratedCases cases(v, {});
+    std::uint64_t ties = 0;
+    while (const auto one = cases.next_converted()) {
+      if (cases.origin() == "product_ties" && exact_place(v, *one).tie) ++ties;
+    }
+    EXPECT_GT(ties, cases.count_of("product_ties") * 9 / 10) << operation;
+  }
+}
+
+TEST(CheckAnyFormat, UnsignedResultsOfSignedOperandsAreToldApart) {
+  const ScratchFolder folder;
+  const std::string cases = folder.write("c", "ffff0000 00000000\n00010000 00000000\n");
+  const auto run =
+      command::fixproof("check div --to u8_8 --rounding floor --from " + cases, "0000\nffff\n");
+  command::expect_contains(run.out, "gives ffff or 0000, by the sign of the dividend");
+  command::expect_contains(run.out, "--divide-by-zero saturate accepts them");
+  // What the hint names is taken.
+  const auto roots = command::fixproof(
+      "check rsqrt --format u8_8 --rounding half-up --from " + folder.write("z", "0000\n"),
+      "ffff\n");
+  command::expect_contains(roots.out, "--outside-domain maximum accepts them");
 }
 
 TEST(CheckPromises, WithinABound) {
@@ -272,6 +326,8 @@ TEST(CheckOptions, WordsAndNumbersStandForRules) {
   command::expect_refused("check div --rounding floor --divide-by-zero 40000",
                           "--divide-by-zero 40000: q16_16 has no such number");
   command::expect_refused("check div --rounding floor --divide-by-zero zeros", "choose one of de");
+  EXPECT_EQ(checked("div --format q4_4 --rounding floor --divide-by-zero DE", "01 00", "DE").status,
+            0);
 }
 
 TEST(CheckOptions, NoRoundingIsRequiredWhereNothingIsRounded) {

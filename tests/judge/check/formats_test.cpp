@@ -112,7 +112,8 @@ TEST(CheckFormats, Roots) {
   Rules down{.variant = {.operation = Operation::sqrt}, .overflow = Overflow::saturate};
   EXPECT_EQ(expected("q0_8", down, {124, 0}), 0x7fU);
   EXPECT_TRUE(can_overflow(variant_of(Operation::sqrt, format_named("q0_8"))));
-  EXPECT_FALSE(can_overflow(variant_of(Operation::sqrt, format_named("q1_7"))));
+  EXPECT_TRUE(can_overflow(variant_of(Operation::sqrt, format_named("q1_7"))));
+  EXPECT_FALSE(can_overflow(variant_of(Operation::sqrt, format_named("q4_4"))));
 }
 
 TEST(CheckFormats, ATieIsToldFromItsNeighboursIn64Bits) {
