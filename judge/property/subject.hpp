@@ -29,8 +29,8 @@ struct Subject {
 };
 
 /// Rules in 16.16, which subject() takes to the format of its type.
-constexpr check::Rules rules_of(cases::Operation operation, oracle::Rounding rounding,
-                                check::Overflow overflow, check::NoResult no_result) {
+inline check::Rules rules_of(cases::Operation operation, oracle::Rounding rounding,
+                             check::Overflow overflow, check::NoResult no_result) {
   return {.variant = {.operation = operation},
           .rounding = rounding,
           .overflow = overflow,

@@ -158,7 +158,7 @@ void expect_text(const Judge& judge, const std::string& part) {
 
 std::uint32_t word_of(std::int64_t ulps) { return static_cast<std::uint32_t>(ulps); }
 
-constexpr Rules mul_half_up{.variant = {.operation = Operation::mul}};
+const Rules mul_half_up{.variant = {.operation = Operation::mul}};
 
 TEST(CheckFormats, AShiftThatDoesNotRound) {
   const Judge judge = judged_in<std::int32_t>(mul_half_up, "q2_30", [](auto a, auto b) {

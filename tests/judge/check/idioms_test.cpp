@@ -12,10 +12,10 @@ namespace {
 using namespace subjects;
 using fixproof::cases::Operation;
 
-constexpr Rules div_half_away{.variant = {.operation = Operation::div},
-                              .rounding = oracle::Rounding::half_away};
-constexpr Rules root_nearest{.variant = {.operation = Operation::sqrt},
-                             .no_result = fixproof::check::NoResult::any};
+const Rules div_half_away{.variant = {.operation = Operation::div},
+                          .rounding = oracle::Rounding::half_away};
+const Rules root_nearest{.variant = {.operation = Operation::sqrt},
+                         .no_result = fixproof::check::NoResult::any};
 
 /// Expects the line that says what the subject looks like, without its number of cases.
 void expect_idiom(const Rules& rules, const SubjectFunction& subject, std::string_view idiom) {

@@ -42,10 +42,10 @@ inline Judge judged(const Rules& rules, const SubjectFunction& subject) {
   return judge;
 }
 
-inline constexpr Rules mul_half_up{.variant = {.operation = fixproof::cases::Operation::mul},
-                                   .rounding = oracle::Rounding::half_up};
-inline constexpr Rules div_truncated{.variant = {.operation = fixproof::cases::Operation::div},
-                                     .rounding = oracle::Rounding::truncate};
+inline const Rules mul_half_up{.variant = {.operation = fixproof::cases::Operation::mul},
+                               .rounding = oracle::Rounding::half_up};
+inline const Rules div_truncated{.variant = {.operation = fixproof::cases::Operation::div},
+                                 .rounding = oracle::Rounding::truncate};
 
 inline std::int64_t half_up(std::int64_t product) { return (product + 32768) >> 16; }
 

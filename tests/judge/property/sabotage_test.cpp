@@ -8,10 +8,10 @@ using namespace fixproof;
 using fixproof::property::Subject;
 using oracle::Rounding;
 
-constexpr check::Rules mul_half_up{.variant = {.operation = cases::Operation::mul},
-                                   .no_result = check::NoResult::any};
-constexpr check::Rules div_truncated{.variant = {.operation = cases::Operation::div},
-                                     .rounding = Rounding::truncate};
+const check::Rules mul_half_up{.variant = {.operation = cases::Operation::mul},
+                               .no_result = check::NoResult::any};
+const check::Rules div_truncated{.variant = {.operation = cases::Operation::div},
+                                 .rounding = Rounding::truncate};
 
 std::set<std::string_view> streams_that_fail(const Subject& subject) {
   std::set<std::string_view> names;
