@@ -233,7 +233,7 @@ constexpr std::array<Idiom, idiom_count> all_idioms{{
 
 bool Idiom::is_for(const cases::Variant& of) const {
   if (operation != of.operation || of.format.is_decimal) return false;
-  if (operation == Operation::mul_div) return !of.from;
+  if (operation == Operation::mul_div) return !of.from && of.format.fraction_bits >= 0;
   if (of.from && !cases::is_conversion(operation)) return false;
   // Without two fraction bits the idioms agree with each other or shift by a negative number.
   const int fraction_bits = of.format.fraction_bits;
