@@ -182,6 +182,14 @@ TEST(CheckAnyFormat, SumsOfCoarserResultsHaveTies) {
   }
 }
 
+TEST(CheckAnyFormat, WrongQuotientsOfProductsInUnitsAbove1) {
+  // 8 * 12 / 16 is 6, halfway between 4 and 8.
+  const auto wrong = checked("mul_div --format q20_-2 --rounding half-up",
+                             "00000002 00000003 00000004", "00000001");
+  EXPECT_EQ(wrong.status, 1) << wrong.err;
+  command::expect_contains(wrong.out, "(8 12 16): 00000002 expected, 00000001 said");
+}
+
 TEST(CheckAnyFormat, UnsignedResultsOfSignedOperandsAreToldApart) {
   const ScratchFolder folder;
   const std::string cases = folder.write("c", "ffff0000 00000000\n00010000 00000000\n");
