@@ -64,7 +64,7 @@ FIXPROOF_RECORDED_TO(acos, acos)
 #undef FIXPROOF_RECORDED_COS_SIN_TO
 /// @endcond
 
-/// As atan2<To>() and hypot<To>() of plain numbers.
+/// As atan2<To>() of plain numbers.
 template <class To, class N>
 requires any_number<To>
 [[nodiscard]] constexpr To atan2(recorded_number<N> y, std::type_identity_t<recorded_number<N>> x,
@@ -73,6 +73,7 @@ requires any_number<To>
   return record::detail::logged<record::kind::atan2, result>(
       from, [](N a, N b) { return fixproof::atan2<result>(a, b); }, y.value_, x.value_);
 }
+/// As hypot<To>() of plain numbers.
 template <class To, any_number A, any_number B, any_number C>
 requires(record::detail::is_recorded<A> || record::detail::is_recorded<B> ||
          record::detail::is_recorded<C>) [[nodiscard]] constexpr To
