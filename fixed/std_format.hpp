@@ -97,7 +97,7 @@ class format_size {
   struct visitor {
     template <class T>
     constexpr std::size_t operator()([[maybe_unused]] const T& x) const {
-      // An integer of 128 bits is none of the standard library.
+      // The standard library has no integer of 128 bits.
       constexpr bool is_integer = requires { x % x; };
       if constexpr (is_integer && !std::is_same_v<T, bool> && !std::is_same_v<T, char>) {
         if (x < T{0}) throw_error<Error>("the width or precision of a number is negative");

@@ -50,7 +50,7 @@ ExactValue function_of(const cases::Variant& v, const Integer& x, const Integer&
   return {oracle::function_value(function, x << (finer - from), y << (finer - from), finer)};
 }
 
-/// The sum in squares of a part, of which 1.0 has `one`.
+/// The sum in squares of a part. 1.0 is `one` parts.
 Integer sum_of(const cases::Variant& v, std::span<const Integer> x, const Integer& one) {
   switch (v.operation) {
     case Operation::mul_add:

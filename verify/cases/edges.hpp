@@ -17,7 +17,7 @@ constexpr bool has_edges(Operation operation) {
 }
 
 /// Returns the operands of every case, words_in(operation) words for each, without a case twice.
-/// An edge lies between two neighbouring operands of which one is outside the domain, or whose
+/// An edge lies between two neighbouring operands. One of them is outside the domain, or their
 /// results are on different sides of zero or of an end of the range. The cases are the operands
 /// within two words of an edge, and for an angle also those within two words of a multiple of a
 /// quarter turn: the 64 multiples next to zero and the last 64 on each side. The oracle finds the

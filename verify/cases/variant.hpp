@@ -45,8 +45,8 @@ constexpr bool loses_carry(const Variant& v) {
   return can_be_repaired(v.operation, v.build.target) && !v.build.repaired;
 }
 
-/// Returns an operation on operands of one format with results of another, under the rules of the
-/// type or of whoever judges.
+/// Returns an operation on operands of one format with results of another. It is no build of
+/// FIXED.ASM.
 constexpr Variant variant_of(Operation operation, const Format& operands, const Format& results) {
   Variant variant{.operation = operation, .build = {.target = Target::standard}, .format = results};
   if (operands != results) variant.from = operands;
