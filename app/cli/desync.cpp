@@ -118,7 +118,8 @@ const char* explanation(Verdict verdict) {
              "use\n"
              "them in different places. The compilers may choose different arguments to compute "
              "first,\n"
-             "and each takes the next value of one source. Or the values stand in memory in another\n"
+             "and each takes the next value of one source. Or the values stand in memory in "
+             "another\n"
              "order. The logs cannot tell.";
     case Verdict::integer:
       return "An operand differs that is an integer. Integers are not recorded: check how the\n"
