@@ -25,11 +25,10 @@ list(TRANSFORM standard_headers REPLACE ".+" "#include <\\0>\n" OUTPUT_VARIABLE 
 list(JOIN standard_includes "" standard_includes)
 list(JOIN standard_headers "|" standard_header)
 
-# read_header(HEADER RESULT): its text, indented by tabs. It drops comments, `#pragma once`, the includes of
-# standard_headers, and spaces that only align. To a line that ends with (, a comma, an operator or template <...>, it
-# appends the next line. It appends a line that begins with : or ? to the line before. It puts a block of one statement
-# on one line. It moves any other indented closing brace to the end of the line before. It shortens indents of more than
-# two tabs to two, because lines that continue others begin far to the right.
+# read_header(HEADER RESULT): its text. It drops comments, `#pragma once`, the includes of standard_headers, and spaces
+# that only indent or align. To a line that ends with (, a comma, an operator or template <...>, it appends the next
+# line. It appends a line that begins with : or ? to the line before. It puts a block of one statement on one line. It
+# moves any other indented closing brace to the end of the line before.
 function(read_header header result)
   file(READ ${root}/${header} text)
   string(REGEX REPLACE "}  // namespace (fixproof|fixproof::detail)\n" "}@\\1@\n" text "${text}")
@@ -40,14 +39,12 @@ function(read_header header result)
   string(REGEX REPLACE "(,|&&| [=+|&?:</-])\n +" "\\1 " text "${text}")
   string(REGEX REPLACE "\n +([:?] )" " \\1" text "${text}")
   string(REGEX REPLACE "{\n +([^\n#{}]+;)\n *}" "{ \\1 }" text "${text}")
-  while(text MATCHES "\n\t*  ")
-    string(REGEX REPLACE "(\n\t*)  " "\\1\t" text "${text}")
+  while(text MATCHES "[;}]\n +}\n")
+    string(REGEX REPLACE "([;}])\n +}\n" "\\1 }\n" text "${text}")
   endwhile()
-  string(REGEX REPLACE "\n\t\t\t+ ?" "\n\t\t" text "${text}")
-  while(text MATCHES "[;}]\n\t+}\n")
-    string(REGEX REPLACE "([;}])\n\t+}\n" "\\1 }\n" text "${text}")
-  endwhile()
-  string(REGEX REPLACE "(\n\t+template <[^\n]+>)\n\t+" "\\1 " text "${text}")
+  string(REGEX REPLACE "(\n +template <[^\n]+>)\n +" "\\1 " text "${text}")
+  string(REGEX REPLACE "\n +" "\n" text "${text}")
+  string(REPLACE "template <" "template<" text "${text}")
   string(REPLACE "\n#pragma once\n" "\n" text "${text}")
   string(REGEX REPLACE "\n#include <(${standard_header})>" "" text "${text}")
   string(REGEX REPLACE "\n$" "" text "${text}")

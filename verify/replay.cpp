@@ -28,6 +28,9 @@ std::string routine_options(const cases::Variant& v, std::string_view rounding) 
 
 /// The options that select the row of this variant alone.
 std::string row_options(const cases::Variant& v) {
+  if (v.from) {
+    return fmt::format(" --format {} --to {}", cases::name_of(*v.from), cases::name_of(v.format));
+  }
   const std::string width = v.format == cases::q8_8 ? " --width half" : "";
   if (v.build.target == cases::Target::standard) {
     const bool has_formats =

@@ -38,10 +38,10 @@ Json json_of(const Report& report, std::size_t number, const Json& streams) {
   Json shown = Json::array();
   for (const Mismatch& m : found.shown) shown.push_back(json_of(m, cases::operand_bits(v)));
   const bool routine_format = cases::has_routine_format(v);
-  const std::string format = !routine_format             ? cases::name_of(v.format)
+  const std::string format = !routine_format ? cases::name_of(cases::operand_format(v))
                              : v.format == cases::q16_16 ? "full"
                                                          : "half";
-  return {{"operation", cases::name_of(v.operation)},
+  Json json{{"operation", cases::name_of(v.operation)},
           {"target", cases::name_of(v.build.target)},
           {"mul_round", v.build.mul_round},
           {"div_round", v.build.div_round},
@@ -54,6 +54,8 @@ Json json_of(const Report& report, std::size_t number, const Json& streams) {
           {"faults", found.faults},
           {"mismatches", found.mismatches},
           {"shown", shown}};
+  if (v.from) json["to"] = cases::name_of(v.format);
+  return json;
 }
 
 Json done_ranges(const Report& report) {

@@ -133,11 +133,17 @@ cases::Target target_named(const std::string& name) {
   refuse(fmt::format("unknown target '{}'", name));
 }
 
-/// The format of a row that has no width.
-cases::Format format_named(const std::string& name) {
-  const cases::Format format = cases::format_named(name);
-  if (format == cases::q16_16 || format == cases::q8_8) refuse(fmt::format("{} is a width", name));
-  return format;
+/// Reads the formats of a row that has no width.
+void read_formats(const Document& json, cases::Variant& v) {
+  const auto named = [&](const char* key) {
+    return cases::format_named(json.at(key).get<std::string>());
+  };
+  v.format = named("format");
+  if (json.contains("to")) v.from = std::exchange(v.format, named("to"));
+  if (v.from == v.format) refuse("a row has one format twice");
+  if (cases::has_routine_format(v)) {
+    refuse(fmt::format("{} is a width", cases::name_of(v.format)));
+  }
 }
 
 cases::Row row_in(const Document& json) {
@@ -149,9 +155,11 @@ cases::Row row_in(const Document& json) {
   v.build.div_round = json.at("div_round").get<bool>();
   v.build.chapter_52 = is_second(json.at("chapter"), 54, 52);
   v.build.repaired = json.at("repaired").get<bool>();
-  v.format = json.contains("format") ? format_named(json.at("format").get<std::string>())
-             : is_second<std::string>(json.at("width"), "full", "half") ? cases::q8_8
-                                                                        : cases::q16_16;
+  if (json.contains("format")) {
+    read_formats(json, v);
+  } else {
+    v.format = is_second<std::string>(json.at("width"), "full", "half") ? cases::q8_8 : cases::q16_16;
+  }
   row.parties = json.at("parties").get<std::vector<std::string>>();
   return row;
 }
@@ -178,8 +186,8 @@ Findings findings_in(const Document& json, const cases::Row& row) {
     Mismatch& m = found.shown.emplace_back();
     m.chunk = count_in(shown.at("chunk"));
     m.index = count_in(shown.at("case"));
-    m.words = words_in_text(shown.at("words").get<std::string>(), row.variant.format);
-    m.smallest = words_in_text(shown.at("smallest").get<std::string>(), row.variant.format);
+    m.words = words_in_text(shown.at("words").get<std::string>(), cases::operand_format(row.variant));
+    m.smallest = words_in_text(shown.at("smallest").get<std::string>(), cases::operand_format(row.variant));
     const Document& said = shown.at("said");
     if (said.empty()) continue;
     for (const std::string& party : row.parties) {

@@ -58,7 +58,28 @@ constexpr std::array format_operations{cases::Operation::add,     cases::Operati
                                        cases::Operation::sqrt,    cases::Operation::decimal,
                                        cases::Operation::binary64};
 
-/// Returns the variants of --format: each operation in each format.
+/// Returns the formats of --format; 16.16 without one.
+std::vector<cases::Format> operand_formats(const Selection& selection) {
+  if (selection.formats.empty()) return {cases::q16_16};
+  std::vector<cases::Format> formats;
+  const auto add = [&](const cases::Format& format) {
+    if (std::ranges::find(formats, format) == formats.end()) formats.push_back(format);
+  };
+  for (const std::string& name : selection.formats) {
+    if (name == "all") {
+      std::ranges::for_each(cases::named_formats(), add);
+    } else {
+      add(cases::format_named(name));
+    }
+  }
+  return formats;
+}
+
+bool is_round_trip(cases::Operation operation) {
+  return operation == cases::Operation::decimal || operation == cases::Operation::binary64;
+}
+
+/// Returns the variants of --format and --to: each operation in each format.
 std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
   const VariantOptions& options = selection.variant;
   if (selection.half_width || !options.targets.empty() || options.mul_round || options.div_round ||
@@ -67,29 +88,30 @@ std::vector<cases::Variant> variants_in_formats(const Selection& selection) {
         "--format: other formats have no width, target, rounding or chapter; leave these options "
         "out");
   }
+  const bool names_all = std::ranges::find(selection.formats, "all") != selection.formats.end();
+  const bool is_converted = !selection.to.empty();
   std::vector<cases::Operation> operations;
   for (const std::string& name : selection.operations) {
     operations.push_back(format_operation_named(name));
-  }
-  if (operations.empty()) operations.assign(format_operations.begin(), format_operations.end());
-  std::vector<cases::Format> formats;
-  for (const std::string& name : selection.formats) {
-    const auto add = [&](const cases::Format& format) {
-      if (std::ranges::find(formats, format) == formats.end()) formats.push_back(format);
-    };
-    if (name == "all") {
-      std::ranges::for_each(cases::named_formats(), add);
-    } else {
-      add(cases::format_named(name));
-      for (const cases::Operation o : operations) cases::check_format(o, formats.back());
+    if (is_converted && is_round_trip(operations.back())) {
+      throw support::UsageError(
+          fmt::format("--to: {} goes there and back in one format; leave --to out", name));
     }
   }
+  if (operations.empty()) {
+    operations.assign(format_operations.begin(), format_operations.end());
+    if (is_converted) std::erase_if(operations, is_round_trip);
+  }
   std::vector<cases::Variant> variants;
-  for (const cases::Format& format : formats) {
+  for (const cases::Format& operands : operand_formats(selection)) {
+    const cases::Format results = is_converted ? cases::format_named(selection.to) : operands;
     for (const cases::Operation operation : operations) {
-      if (!cases::is_in_format(operation, format)) continue;
-      variants.push_back(
-          {.operation = operation, .build = {.target = cases::Target::standard}, .format = format});
+      const bool exists =
+          cases::is_in_format(operation, operands) && cases::is_in_format(operation, results);
+      if (!exists && names_all) continue;
+      cases::check_format(operation, operands);
+      cases::check_format(operation, results);
+      variants.push_back(cases::variant_of(operation, operands, results));
     }
   }
   return variants;
@@ -131,18 +153,20 @@ cases::Operation format_operation_named(std::string_view name) {
 }
 
 std::vector<const parties::Party*> chosen_parties(const Selection& selection) {
+  // Results of another format have one oracle.
+  const bool is_fast = selection.level == 3 && selection.to.empty();
   std::vector<std::string> names;
   if (!selection.by.empty()) {
     names.push_back(selection.by);
   } else if (std::ranges::any_of(selection.against, parties::names_function)) {
     // It answers every variant that a function can, and the model does not.
-    names.emplace_back(selection.level == 3 ? "fast" : "oracle");
+    names.emplace_back(is_fast ? "fast" : "oracle");
   } else {
     names.emplace_back("model");
   }
   if (!selection.against.empty()) {
     names.insert(names.end(), selection.against.begin(), selection.against.end());
-  } else if (selection.level == 3) {
+  } else if (is_fast) {
     names.insert(names.end(), {"model", "fast", "type"});
   } else {
     names.insert(names.end(), {"model", "oracle", "fast", "type"});
@@ -260,7 +284,7 @@ void refuse_without(const std::string& party, std::span<const cases::Row> rows) 
   throw support::UsageError(
       fmt::format("level 3 tries all cases, and {} has more than 2^32; choose --level 2{}",
                   cases::name_of(left_out.front()),
-                  selection.formats.empty() ? "" : ", or a format of fewer bits"));
+                  has_formats(selection) ? ", or a format of fewer bits" : ""));
 }
 
 }  // namespace
@@ -269,14 +293,14 @@ std::vector<cases::Row> chosen_rows(const Selection& selection,
                                     std::span<const parties::Party* const> parties) {
   std::vector<cases::Row> rows;
   const auto variants =
-      selection.formats.empty() ? chosen_variants(selection) : variants_in_formats(selection);
+      has_formats(selection) ? variants_in_formats(selection) : chosen_variants(selection);
   for (const cases::Variant& listed : variants) {
     const auto variant_in_format = [&]() -> std::optional<cases::Variant> {
       if (selection.level == 3 && !cases::can_be_exhausted(listed)) return std::nullopt;
       return listed;
     };
     auto variant =
-        selection.formats.empty() ? cases::at_level(selection.level, listed) : variant_in_format();
+        has_formats(selection) ? variant_in_format() : cases::at_level(selection.level, listed);
     if (!variant) continue;
     if (selection.half_width) {
       // The cosine table has no 8.8 values, so that no party computes cossin in 8.8.

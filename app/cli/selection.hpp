@@ -19,6 +19,7 @@ struct Selection {
   VariantOptions variant;
   bool half_width = false;
   std::vector<std::string> formats;  ///< names of formats, or `all`; the routines' if empty
+  std::string to;                    ///< format of the results; that of the words if empty
   int level = 1;
   std::string by;  ///< the judged party; if empty the model, or the oracle for a library's function
   std::vector<std::string> against;  ///< the default parties of the level if empty
@@ -34,6 +35,11 @@ cases::Operation answered_operation_named(std::string_view name);
 /// @throws std::invalid_argument for an unknown operation, UsageError for a conversion and for an
 ///         operation of 16.16 alone
 cases::Operation format_operation_named(std::string_view name);
+
+/// Tells whether operations are compared in the formats that are named, not as routines.
+inline bool has_formats(const Selection& selection) {
+  return !selection.formats.empty() || !selection.to.empty();
+}
 
 /// Returns the parties without duplicates, the judged one first.
 /// @throws std::invalid_argument for an unknown party, UsageError if there is only one

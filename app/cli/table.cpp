@@ -41,7 +41,8 @@ Line line_of(const cases::Row& row, const verify::Findings& found, bool unfinish
   if (v.build.chapter_52) target += " ch52";
   if (v.build.repaired) target += " repaired";
   if (v.format == cases::q8_8) target += " 8.8";
-  if (!cases::has_routine_format(v)) target = cases::name_of(v.format);
+  if (!cases::has_routine_format(v)) target = cases::name_of(cases::operand_format(v));
+  if (v.from) target += " to " + cases::name_of(v.format);
   return {std::string(cases::name_of(v.operation)),
           target,
           v.build.target == cases::Target::standard ? "-"

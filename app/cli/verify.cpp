@@ -124,12 +124,13 @@ void print_heading(const VerifyOptions& options, const verify::Report& report) {
                            options.seed, counted(options.threads, "thread"),
                            counted(report.plan.rows().size(), "row"),
                            support::grouped(report.plan.cases()));
-  if (options.selection.level == 3 && !options.selection.formats.empty()) {
-    std::cout << "Level 3 tries all cases, and leaves out rows that have more than 2^32. Without\n"
-                 "--against, fast replaces oracle; levels 1 and 2 compare the two.\n";
-  } else if (options.selection.level == 3) {
-    std::cout << "Level 3 tries all pairs of 8.8 words, all 16.16 words and all angles. Without\n"
-                 "--against, fast replaces oracle; levels 1 and 2 compare the two.\n";
+  if (options.selection.level == 3) {
+    std::cout << (has_formats(options.selection)
+                      ? "Level 3 tries all cases, and leaves out rows that have more than 2^32."
+                      : "Level 3 tries all pairs of 8.8 words, all 16.16 words and all angles.");
+    std::cout << (options.selection.to.empty()
+                      ? " Without\n--against, fast replaces oracle; levels 1 and 2 compare the two.\n"
+                      : "\n");
   }
   if (report.shard.count > 1) {
     std::cout << fmt::format("Shard {}: {} of {} chunks\n", options.shard,
@@ -248,6 +249,11 @@ void add_options(CLI::App& command, VerifyOptions& options) {
       ->delimiter(',')
       ->check(not_empty());
   command
+      .add_option("--to", selection.to,
+                  "format of the results, such as q2_30; by default that of the words, which is then "
+                  "q16_16")
+      ->check(not_empty());
+  command
       .add_option("--level", selection.level,
                   "1 takes seconds, 2 takes minutes, 3 is exhaustive; see below")
       ->transform(whole_number(1, 3))
@@ -318,7 +324,9 @@ void add_verify(CLI::App& app, int& status) {
                   my_mul[] takes arrays. docs/verify.md has the signatures.
 With --format, oracle, fast (up to 32 bits) and type (the named formats) answer add, sub, mul, div,
 sqrt, decimal and binary64 and, if they are named, the functions of docs/functions.md: fmod, mul_div
-and remainder (signed formats) in every format, the others in up to 32 bits.
+and remainder (signed formats) in every format, the others in up to 32 bits. With --to, oracle
+answers all but the round trips decimal and binary64, and type what docs/functions.md lists, between
+q8_8, q24_8, q16_16, q2_30 and u16_16.
 Levels 1 and 2 run constructed and random cases. Level 3 is exhaustive: multiply and divide
 for all pairs of 8.8 words, the unary operations for all words, with fast in place of oracle.
 With --format it has all words of up to 32 bits, all pairs of up to 16 and all triples of 8.
@@ -341,6 +349,7 @@ Examples:
   fixproof verify --format all                      # the type in every named format
   fixproof verify mul --format q2_30 --level 2      # one operation in one format
   fixproof verify fmod hypot3 --format q16_16       # functions run only in a format
+  fixproof verify sin --to q2_30                    # an angle in 16.16, a sine in 2.30
   fixproof verify --level 3 --resume sweep.json     # everything; resumes after Ctrl-C
   fixproof verify --shard 1/4 --report 1.json       # a quarter; see fixproof merge
   fixproof verify div --case '00010000 00000003'    # every party's answer to one case)");

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
-#include "judge/check/exact_value.hpp"
 #include "support/hex.hpp"
+#include "verify/cases/exact_value.hpp"
 #include "verify/cases/words.hpp"
 
 namespace fixproof::check {
@@ -44,7 +44,7 @@ Converted parse_converted(std::string_view line, const cases::Variant& variant) 
       break;
     default: {
       operand.words = words_in(line, variant);
-      const ExactValue exact = exact_value(variant, operand.words);
+      const cases::ExactValue exact = cases::exact_value(variant, operand.words);
       operand.value = exact.value;
       operand.mirrored = exact.mirrored;
       operand.sign = exact.sign;

@@ -5,10 +5,10 @@
 #include <array>
 
 #include "judge/check/exact_ulps.hpp"
-#include "judge/check/exact_value.hpp"
 #include "judge/check/ports.hpp"
 #include "oracle/fast.hpp"
 #include "oracle/format.hpp"
+#include "verify/cases/exact_value.hpp"
 
 namespace fixproof::check {
 
@@ -234,7 +234,7 @@ bool is_within(const Within& within, const cases::Variant& variant, const Operan
                std::uint64_t said) {
   const oracle::Ratio exact = operands.converted() != nullptr
                                   ? *operands.converted()->value
-                                  : *exact_value(variant, operands.words()).value;
+                                  : *cases::exact_value(variant, operands.words()).value;
   const oracle::Ratio result = value_of(said, variant.format);
   // |result - exact|, in parts of the product of the denominators.
   const oracle::Integer off =

@@ -103,7 +103,9 @@ std::string name_of(const Variant& v) {
   if (v.build.target != Target::standard) name += fmt::format(" {}", rounds(v) ? "on" : "off");
   if (v.build.chapter_52) name += ", chapter 52";
   if (v.build.repaired) name += ", repaired";
-  if (v.format == q8_8) {
+  if (v.from) {
+    name += fmt::format(", {} to {}", name_of(*v.from), name_of(v.format));
+  } else if (v.format == q8_8) {
     name += ", 8.8";
   } else if (v.format != q16_16) {
     name += fmt::format(", {}", name_of(v.format));

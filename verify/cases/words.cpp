@@ -19,10 +19,11 @@ std::int32_t signed_word(std::uint32_t word, int bits) {
   return static_cast<std::int32_t>(word << unused) >> unused;
 }
 
-/// The exact value of a word of 64 bits.
-std::string decimal_of_64(const Format& format, std::uint64_t word) {
-  const bool negative = format.is_signed && word >> 63U != 0;
-  return fmt::format("{}{}", negative ? "-" : "", decimal_of(negative ? 0 - word : word, format));
+/// The exact value of a word of more than 32 bits.
+std::string decimal_of_long(const Format& format, std::uint64_t word) {
+  const bool negative = format.is_signed && word >> (format.word_bits - 1) != 0;
+  const std::uint64_t magnitude = negative ? (0 - word) & all_ones(format) : word;
+  return fmt::format("{}{}", negative ? "-" : "", decimal_of(magnitude, format));
 }
 
 /// Multiplies a number in decimal digits.
@@ -40,12 +41,13 @@ std::string decimal(const Variant& v, std::uint32_t word) {
   if (v.operation == Operation::cossin) {
     return fmt::format("{:.1f} degrees", signed_word(word, operand_bits(v)) / 10.0);
   }
+  const Format format = operand_format(v);
   // A decimal place has 3.3 bits.
-  const int places = std::max(5, v.format.fraction_bits * 3 / 10 + 1);
+  const int places = std::max(5, format.fraction_bits * 3 / 10 + 1);
   // The conversion is exact: a word of 32 bits has fewer bits than a double.
   const double units =
-      v.format.is_signed ? signed_word(word, operand_bits(v)) : static_cast<double>(word);
-  std::string text = fmt::format("{:.{}f}", std::ldexp(units, -v.format.fraction_bits), places);
+      format.is_signed ? signed_word(word, operand_bits(v)) : static_cast<double>(word);
+  std::string text = fmt::format("{:.{}f}", std::ldexp(units, -format.fraction_bits), places);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
   return text;
@@ -139,11 +141,12 @@ std::string hex_words(std::span<const std::uint32_t> words, int bits) {
 }
 
 std::string decimal_words(const Variant& v, std::span<const std::uint32_t> words) {
-  const std::size_t each = words_per_number(v.format);
+  const Format format = operand_format(v);
+  const std::size_t each = words_per_number(format);
   std::string text;
   for (std::size_t i = 0; i < words.size(); i += each) {
     if (i > 0) text += ' ';
-    text += each == 2 ? decimal_of_64(v.format, joined(words.subspan(i, 2))) : decimal(v, words[i]);
+    text += each == 2 ? decimal_of_long(format, joined(words.subspan(i, 2))) : decimal(v, words[i]);
   }
   return text;
 }

@@ -24,27 +24,6 @@ Function function_of(Operation operation) {
   return oracle::function_named(cases::name_of(operation)).value();
 }
 
-/// What a function outside its domain returns: the end of the range nearest to a pole, or 0.
-oracle::Integer outside_domain(Operation operation, const oracle::Integer& x,
-                               const oracle::Format& format) {
-  switch (operation) {
-    case Operation::log2:
-    case Operation::log:
-    case Operation::log10:
-    case Operation::log1p:
-      return oracle::lowest(format);
-    case Operation::rsqrt:
-    case Operation::reciprocal:
-    case Operation::tan_of_degrees:
-    case Operation::tan_of_turns:
-      return oracle::highest(format);
-    case Operation::pow:
-      return x == 0 ? oracle::highest(format) : oracle::Integer(0);
-    default:
-      return 0;
-  }
-}
-
 template <class Number>
 Number computed(Operation operation, Number x, Number y, Number z) {
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): cases of a switch
@@ -69,6 +48,25 @@ Number computed(Operation operation, Number x, Number y, Number z) {
 
 }  // namespace
 
+oracle::Integer outside_domain(Operation operation, bool is_zero, const oracle::Format& results) {
+  switch (operation) {
+    case Operation::log2:
+    case Operation::log:
+    case Operation::log10:
+    case Operation::log1p:
+      return oracle::lowest(results);
+    case Operation::rsqrt:
+    case Operation::reciprocal:
+    case Operation::tan_of_degrees:
+    case Operation::tan_of_turns:
+      return oracle::highest(results);
+    case Operation::pow:
+      return is_zero ? oracle::highest(results) : oracle::Integer(0);
+    default:
+      return 0;
+  }
+}
+
 void answer_function_exactly(const cases::Variant& v, const Cases& asked) {
   const auto format = v.format.as<oracle::Format>();
   if (v.operation == Operation::hypot3) {
@@ -82,7 +80,7 @@ void answer_function_exactly(const cases::Variant& v, const Cases& asked) {
     const oracle::Integer x = oracle::ulps(a, format);
     const auto ulps = oracle::nearest(function, x, oracle::ulps(b, format), format.fraction_bits,
                                       oracle::Rounding::half_up);
-    return oracle::saturate(ulps ? *ulps : outside_domain(v.operation, x, format), format);
+    return oracle::saturate(ulps ? *ulps : outside_domain(v.operation, x == 0, format), format);
   });
 }
 
@@ -107,7 +105,7 @@ void answer_function_fast(const cases::Variant& v, const Cases& asked) {
     const auto ulps = oracle::fast::nearest(function, x, ulps_of(b), format.fraction_bits,
                                             oracle::Rounding::half_up);
     const std::int64_t result =
-        ulps ? *ulps : static_cast<std::int64_t>(outside_domain(v.operation, x, format));
+        ulps ? *ulps : static_cast<std::int64_t>(outside_domain(v.operation, x == 0, format));
     return static_cast<std::uint64_t>(std::clamp(result, lowest, highest)) & ones;
   });
 }

@@ -54,6 +54,7 @@ void answer_in(const cases::Variant& v, const Cases& asked) {
 }  // namespace
 
 void answer_exactly(const cases::Variant& v, const Cases& asked) {
+  if (v.from) return answer_mixed_exactly(v, asked);
   if (cases::is_function(v.operation)) return answer_function_exactly(v, asked);
   if (cases::is_quotient_function(v.operation)) return answer_quotient_exactly(v, asked);
   return v.format.word_bits <= 32 ? answer_in<oracle::Wide>(v, asked)

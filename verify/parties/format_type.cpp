@@ -53,11 +53,13 @@ void answer(const cases::Variant& v, const Cases& asked) {
 
 }  // namespace
 
-bool is_named(const cases::Format& format) {
-  return with_number_in(format, [](auto /*type*/) {});
+bool is_of_type(const cases::Variant& v) {
+  if (v.from) return is_of_type_mixed(v);
+  return with_number_in(v.format, [](auto /*type*/) {});
 }
 
 void answer_by_type(const cases::Variant& v, const Cases& asked) {
+  if (v.from) return answer_mixed_by_type(v, asked);
   if (cases::is_function(v.operation)) return answer_function_by_type(v, asked);
   if (cases::is_quotient_function(v.operation)) return answer_quotient_by_type(v, asked);
   with_number_in(v.format, [&]<class Number>(std::type_identity<Number> /*type*/) {

@@ -1,7 +1,7 @@
 /// @file
 /// Answers in formats that no routine has: sums, differences, products and quotients rounded half
 /// up and reduced modulo the word, square roots, round trips, remainders, and functions of real
-/// numbers.
+/// numbers; in one format, or with results in a format of their own.
 #pragma once
 
 #include <array>
@@ -10,15 +10,18 @@
 #include <optional>
 #include <span>
 
+#include "oracle/integer.hpp"
+#include "oracle/rule.hpp"
 #include "verify/cases/variant.hpp"
 #include "verify/parties/party.hpp"
 
 namespace fixproof::parties {
 
-/// Tells whether the operation exists in the format.
+/// Tells whether the operation exists in the format, or in both formats.
 constexpr bool exists_in_format(const cases::Variant& v) {
   using enum cases::Operation;
   const cases::Operation operation = v.operation;
+  if (v.from && (operation == decimal || operation == binary64)) return false;
   if (cases::is_function(operation) || cases::is_quotient_function(operation)) {
     return cases::is_in_format(operation, v.format);
   }
@@ -43,7 +46,8 @@ constexpr bool is_standard(const cases::Variant& v) {
 /// result. A case without one is a divide error.
 template <class OneAnswer>
 void each_case_in(const cases::Variant& v, const Cases& asked, const OneAnswer& answer) {
-  const std::size_t each = cases::words_per_number(v.format);
+  const std::size_t each = cases::words_per_number(cases::operand_format(v));
+  const std::size_t each_out = cases::words_per_number(v.format);
   const std::size_t in = cases::words_in(v);
   const std::size_t operands = cases::words_in(v.operation);
   const auto number = [&](std::size_t at) {
@@ -55,8 +59,9 @@ void each_case_in(const cases::Variant& v, const Cases& asked, const OneAnswer& 
     for (std::size_t k = 0; k < operands; ++k) one[k] = number(i * in + k * each);
     const std::optional<std::uint64_t> result = answer(one);
     asked.endings[i] = result ? Ending::value : Ending::divide_error;
-    asked.out[i * each] = static_cast<std::uint32_t>(result.value_or(0));
-    if (each == 2) asked.out[i * 2 + 1] = static_cast<std::uint32_t>(result.value_or(0) >> 32U);
+    std::uint32_t* out = asked.out.data() + i * each_out;
+    out[0] = static_cast<std::uint32_t>(result.value_or(0));
+    if (each_out == 2) out[1] = static_cast<std::uint32_t>(result.value_or(0) >> 32U);
   }
 }
 
@@ -72,6 +77,14 @@ void answer_exactly(const cases::Variant& v, const Cases& asked);
 /// The oracle with built-in integers, for words of at most 32 bits.
 void answer_fast(const cases::Variant& v, const Cases& asked);
 
+/// The oracle of an operation whose results have a format of their own.
+void answer_mixed_exactly(const cases::Variant& v, const Cases& asked);
+
+/// What a function returns outside its domain: the end of the results' range nearest to a pole, or
+/// 0.
+oracle::Integer outside_domain(cases::Operation operation, bool is_zero,
+                               const oracle::Format& results);
+
 /// The oracles of functions.
 void answer_function_exactly(const cases::Variant& v, const Cases& asked);
 void answer_function_fast(const cases::Variant& v, const Cases& asked);
@@ -80,11 +93,14 @@ void answer_function_fast(const cases::Variant& v, const Cases& asked);
 void answer_quotient_exactly(const cases::Variant& v, const Cases& asked);
 void answer_quotient_fast(const cases::Variant& v, const Cases& asked);
 
-/// Tells whether fixed/formats.hpp names the format.
-bool is_named(const cases::Format& format);
+/// Tells whether the type answers: in the formats that fixed/formats.hpp names, and with results in
+/// another format for a choice of five.
+bool is_of_type(const cases::Variant& v);
 /// The type in a named format.
 void answer_by_type(const cases::Variant& v, const Cases& asked);
 void answer_function_by_type(const cases::Variant& v, const Cases& asked);
 void answer_quotient_by_type(const cases::Variant& v, const Cases& asked);
+void answer_mixed_by_type(const cases::Variant& v, const Cases& asked);
+bool is_of_type_mixed(const cases::Variant& v);
 
 }  // namespace fixproof::parties

@@ -73,13 +73,14 @@ void guard_each(const Cases& asked, const std::function<void(std::size_t)>& one)
   }
 }
 
-/// The operands of the cases as one array of W each, and room for the results.
-template <class W>
+/// The operands of the cases as one array of W each, and room for results of type R, which is
+/// unsigned: integers of one width are returned alike.
+template <class W, class R>
 class Columns {
  public:
   Columns(const cases::Variant& v, const Cases& asked)
       : asked_(asked), count_(asked.endings.size()), results_(count_) {
-    const std::size_t each = cases::words_per_number(v.format);
+    const std::size_t each = cases::words_per_number(cases::operand_format(v));
     const std::size_t operands = cases::words_in(v.operation);
     for (std::size_t k = 0; k < operands; ++k) {
       auto& column = columns_.at(k);
@@ -97,13 +98,12 @@ class Columns {
   [[nodiscard]] std::array<const W*, 3> operands() const {
     return {columns_[0].data(), columns_[1].data(), columns_[2].data()};
   }
-  [[nodiscard]] W* results() { return results_.data(); }
+  [[nodiscard]] R* results() { return results_.data(); }
 
   void store_results() const {
-    using Bits = std::make_unsigned_t<W>;
     for (std::size_t i = 0; i < count_; ++i) {
-      const auto word = std::uint64_t{static_cast<Bits>(results_[i])};
-      if constexpr (sizeof(W) == 8) {
+      const std::uint64_t word{results_[i]};
+      if constexpr (sizeof(R) == 8) {
         asked_.out[2 * i] = static_cast<std::uint32_t>(word);
         asked_.out[2 * i + 1] = static_cast<std::uint32_t>(word >> 32U);
       } else {
@@ -116,7 +116,7 @@ class Columns {
   const Cases& asked_;
   std::size_t count_;
   std::array<std::vector<W>, 3> columns_;
-  std::vector<W> results_;
+  std::vector<R> results_;
 };
 
 template <class Type>
@@ -125,22 +125,22 @@ Type* as(void (*function)()) {
   return reinterpret_cast<Type*>(function);
 }
 
-template <class W>
+template <class W, class R>
 void call_for_each(void (*function)(), const cases::Variant& v, const Cases& asked) {
-  Columns<W> columns(v, asked);
+  Columns<W, R> columns(v, asked);
   const std::array<const W*, 3> in = columns.operands();
-  W* results = columns.results();
+  R* results = columns.results();
   switch (cases::words_in(v.operation)) {
     case 1:
-      guard_each(asked, [=, f = as<W(W)>(function)](std::size_t i) { results[i] = f(in[0][i]); });
+      guard_each(asked, [=, f = as<R(W)>(function)](std::size_t i) { results[i] = f(in[0][i]); });
       break;
     case 2:
-      guard_each(asked, [=, f = as<W(W, W)>(function)](std::size_t i) {
+      guard_each(asked, [=, f = as<R(W, W)>(function)](std::size_t i) {
         results[i] = f(in[0][i], in[1][i]);
       });
       break;
     default:
-      guard_each(asked, [=, f = as<W(W, W, W)>(function)](std::size_t i) {
+      guard_each(asked, [=, f = as<R(W, W, W)>(function)](std::size_t i) {
         results[i] = f(in[0][i], in[1][i], in[2][i]);
       });
       break;
@@ -148,20 +148,20 @@ void call_for_each(void (*function)(), const cases::Variant& v, const Cases& ask
   columns.store_results();
 }
 
-template <class W>
+template <class W, class R>
 void call_for_all(void (*function)(), const cases::Variant& v, const Cases& asked) {
-  Columns<W> columns(v, asked);
+  Columns<W, R> columns(v, asked);
   const std::array<const W*, 3> in = columns.operands();
   const auto call = [&](std::size_t first, std::size_t count) {
-    W* results = columns.results() + first;
+    R* results = columns.results() + first;
     switch (cases::words_in(v.operation)) {
       case 1:
-        return as<void(const W*, W*, std::size_t)>(function)(in[0] + first, results, count);
+        return as<void(const W*, R*, std::size_t)>(function)(in[0] + first, results, count);
       case 2:
-        return as<void(const W*, const W*, W*, std::size_t)>(function)(in[0] + first, in[1] + first,
+        return as<void(const W*, const W*, R*, std::size_t)>(function)(in[0] + first, in[1] + first,
                                                                        results, count);
       default:
-        return as<void(const W*, const W*, const W*, W*, std::size_t)>(function)(
+        return as<void(const W*, const W*, const W*, R*, std::size_t)>(function)(
             in[0] + first, in[1] + first, in[2] + first, results, count);
     }
   };
@@ -263,8 +263,15 @@ class LibraryFunction final : public Party {
   void fill(const cases::Variant& v, const Cases& asked) const override {
     const Calling calling;
     if (!is_of_numbers(v.operation)) return call_routine(address_, v, asked);
-    with_word(v.format, [&]<class W>() {
-      takes_arrays_ ? call_for_all<W>(address_, v, asked) : call_for_each<W>(address_, v, asked);
+    cases::Format results = v.format;
+    results.is_signed = false;
+    with_word(cases::operand_format(v), [&]<class W>() {
+      with_word(results, [&]<class R>() {
+        if constexpr (std::is_unsigned_v<R>) {
+          takes_arrays_ ? call_for_all<W, R>(address_, v, asked)
+                        : call_for_each<W, R>(address_, v, asked);
+        }
+      });
     });
   }
 

@@ -127,7 +127,7 @@ class FastOracle final : public Party {
   [[nodiscard]] std::string identity() const override { return "built-in integers"; }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     if (!cases::has_routine_format(v)) {
-      return exists_in_format(v) && v.format.word_bits <= 32 && is_standard(v);
+      return exists_in_format(v) && !v.from && v.format.word_bits <= 32 && is_standard(v);
     }
     return v.operation != cases::Operation::cossin;
   }

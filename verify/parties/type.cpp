@@ -86,7 +86,7 @@ class Type final : public Party {
   [[nodiscard]] std::string identity() const override { return fixed_version(); }
   [[nodiscard]] bool answers(const cases::Variant& v) const override {
     if (!cases::has_routine_format(v)) {
-      return exists_in_format(v) && is_named(v.format) && is_standard(v);
+      return exists_in_format(v) && is_of_type(v) && is_standard(v);
     }
     return v.operation != cases::Operation::cossin || v.format == cases::q16_16;
   }

@@ -44,6 +44,17 @@ std::int16_t mul_8_8(std::int16_t a, std::int16_t b) {
   return static_cast<std::int16_t>((std::int32_t{a} * b + 0x80) >> 8);
 }
 
+std::int32_t mul_8_8_to_24_8(std::int16_t a, std::int16_t b) {
+  return (std::int32_t{a} * b + 0x80) >> 8;
+}
+
+void muls_16_16_to_8_8(const std::int32_t* a, const std::int32_t* b, std::int16_t* results,
+                       std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    results[i] = static_cast<std::int16_t>((std::int64_t{a[i]} * b[i] + 0x800000) >> 24);
+  }
+}
+
 std::uint8_t add_u8_0(std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a + b); }
 
 std::int64_t sub_32_32(std::int64_t a, std::int64_t b) {

@@ -1,18 +1,18 @@
-#include "judge/check/exact_value.hpp"
+#include "verify/cases/exact_value.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <vector>
 
-#include "judge/check/word.hpp"
 #include "oracle/function.hpp"
+#include "oracle/format.hpp"
 #include "oracle/whole_function.hpp"
+#include "verify/cases/value.hpp"
 
-namespace fixproof::check {
+namespace fixproof::cases {
 
 namespace {
 
-using cases::Operation;
 using oracle::Integer;
 using oracle::Ratio;
 
@@ -125,4 +125,4 @@ ExactValue exact_value(const cases::Variant& v, std::span<const std::uint64_t> w
   return function_of(v, x[0], x.size() > 1 ? x[1] : Integer(0));
 }
 
-}  // namespace fixproof::check
+}  // namespace fixproof::cases

@@ -10,7 +10,7 @@
 #include "oracle/decimal.hpp"
 #include "verify/cases/variant.hpp"
 
-namespace fixproof::check {
+namespace fixproof::cases {
 
 struct ExactValue {
   /// Empty without a result: a zero divisor, a negative radicand, outside a domain. An irrational
@@ -26,4 +26,4 @@ struct ExactValue {
 /// @throws std::invalid_argument for an operation that is not judged
 ExactValue exact_value(const cases::Variant& variant, std::span<const std::uint64_t> words);
 
-}  // namespace fixproof::check
+}  // namespace fixproof::cases
