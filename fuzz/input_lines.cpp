@@ -139,7 +139,7 @@ check::Said right(double x) {
 /// Reads the next case and returns its result; nothing at the end.
 std::optional<check::Said> next_right(check::FileCases& source, cases::Operation operation) {
   if (operation == cases::Operation::from_binary64) {
-    const auto operand = source.next_converted();
+    const auto operand = source.next_valued();
     if (!operand) return std::nullopt;
     return right(std::bit_cast<double>(support::parse_long_hex(operand->text, 16)));
   }

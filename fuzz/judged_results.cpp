@@ -176,7 +176,7 @@ check::Judge judged(const check::Rules& rules, std::uint64_t cases,
     std::string line;
     cases::append_operands(line, rules.variant, parts);
     if (check::is_judged_by_value(rules.variant)) {
-      one.converted = check::parse_converted(line, rules.variant);
+      one.valued = check::parse_valued(line, rules.variant);
     } else {
       std::copy_n(words.begin(), std::min(words.size(), one.words.size()), one.words.begin());
     }

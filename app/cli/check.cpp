@@ -98,9 +98,9 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
   std::vector<std::uint32_t> parts(cases::words_in(variant));
   const auto next_case = [&] {
     if (by_value) {
-      one.converted = cases.next_converted();
-      if (!one.converted) return false;
-      const auto& words = one.converted->words;
+      one.valued = cases.next_valued();
+      if (!one.valued) return false;
+      const auto& words = one.valued->words;
       std::copy_n(words.begin(), std::min(words.size(), one.words.size()), one.words.begin());
       return true;
     }

@@ -99,11 +99,11 @@ void answer_exactly(const cases::Variant& variant) {
     read_words(line, variant, words);
     std::string plain;
     cases::append_operands(plain, variant, words);
-    const check::Converted operands = check::parse_converted(plain, variant);
+    const check::ValuedCase operands = check::parse_valued(plain, variant);
     const bool is_pole =
         variant.operation == cases::Operation::pow && !operands.value && operands.words[0] == 0;
     const check::Said said =
-        is_pole ? check::highest(variant.format) : check::expected_of(rules, operands).said;
+        is_pole ? cases::highest(variant.format) : check::expected_of(rules, operands).said;
     output += said ? check::hex_text(*said, variant.format) : "DE";
   });
 }

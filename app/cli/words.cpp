@@ -23,7 +23,7 @@ bool is_plain_word(std::string_view text, const cases::Format& format) {
 }
 
 std::string range_of(const cases::Format& format) {
-  const std::uint64_t highest = cases::all_ones(format) >> (format.is_signed ? 1U : 0U);
+  const std::uint64_t highest = cases::highest(format);
   return fmt::format("{} to {}",
                      format.is_signed ? "-" + cases::decimal_of(highest + 1, format) : "0",
                      cases::decimal_of(highest, format));

@@ -37,7 +37,7 @@ std::optional<std::uint64_t> units_of(std::string_view text, int base) {
 
 /// Reads the integer that stores a word, or the word's own bits if that is `allowed`.
 Number word_of(std::uint64_t bits, const cases::Format& format, bool allowed) {
-  std::uint64_t word = cases::stored_or_word(bits, format);
+  std::uint64_t word = cases::word_in(bits, format);
   if (allowed && (word & ~cases::all_ones(format)) != 0) word = bits;
   if ((word & ~cases::all_ones(format)) != 0) {
     return {.error = "not a word of " + std::to_string(format.word_bits) + " bits"};

@@ -99,12 +99,12 @@ bool GeneratedCases::next(std::span<std::uint32_t> words) {
   }
 }
 
-std::optional<Converted> GeneratedCases::next_converted() {
+std::optional<ValuedCase> GeneratedCases::next_valued() {
   std::vector<std::uint32_t> words(cases::words_in(variant_));
   if (!next(words)) return std::nullopt;
   std::string line;
   cases::append_operands(line, variant_, words);
-  return parse_converted(line, variant_);
+  return parse_valued(line, variant_);
 }
 
 FileCases::FileCases(const cases::Variant& variant, std::string path)
@@ -134,10 +134,10 @@ bool FileCases::next(std::span<std::uint32_t> words) {
   return next_line([&](const std::string& line) { cases::parse_words(line, variant_, words); });
 }
 
-std::optional<Converted> FileCases::next_converted() {
-  std::optional<Converted> converted;
-  next_line([&](const std::string& line) { converted = parse_converted(line, variant_); });
-  return converted;
+std::optional<ValuedCase> FileCases::next_valued() {
+  std::optional<ValuedCase> valued;
+  next_line([&](const std::string& line) { valued = parse_valued(line, variant_); });
+  return valued;
 }
 
 }  // namespace fixproof::check

@@ -35,8 +35,8 @@ class CaseSource : private boost::noncopyable {
 
   /// Reads the words of the next case, words_in(variant) of them; false at the end.
   virtual bool next(std::span<std::uint32_t> words) = 0;
-  /// Reads the operand of the next case of a conversion; empty at the end.
-  virtual std::optional<Converted> next_converted() = 0;
+  /// Reads the next case of a variant that is_judged_by_value(); empty at the end.
+  virtual std::optional<ValuedCase> next_valued() = 0;
   /// The stream or the file of the last case. The text lives as long as the source.
   [[nodiscard]] virtual std::string_view origin() const = 0;
   /// The number of cases, if it is known in advance.
@@ -50,7 +50,7 @@ class GeneratedCases final : public CaseSource {
   GeneratedCases(const cases::Variant& variant, const CaseOptions& options);
 
   bool next(std::span<std::uint32_t> words) override;
-  std::optional<Converted> next_converted() override;
+  std::optional<ValuedCase> next_valued() override;
   [[nodiscard]] std::string_view origin() const override { return origin_; }
   [[nodiscard]] std::optional<std::uint64_t> count() const override { return count_; }
   /// Returns the number of these cases that are from a stream.
@@ -88,7 +88,7 @@ class FileCases final : public CaseSource {
   /// @throws UsageError naming the line that is not a case
   bool next(std::span<std::uint32_t> words) override;
   /// @throws UsageError naming the line that is not a case
-  std::optional<Converted> next_converted() override;
+  std::optional<ValuedCase> next_valued() override;
   [[nodiscard]] std::string_view origin() const override { return path_; }
 
  private:

@@ -36,7 +36,7 @@ void Curve::add(const JudgedCase& one, double off, std::uint64_t exact) {
   ++count_;
   sum_ += off;
   if (operands_ != 1) return;
-  points_.push_back({ulps_of(one.converted->words[0], operand_), ulps_of(exact, result_),
+  points_.push_back({ulps_of(one.valued->words[0], operand_), ulps_of(exact, result_),
                      ulps_of(*one.said, result_)});
 }
 

@@ -97,10 +97,10 @@ std::string fraction_text(const Integer& part, const Integer& whole) {
 /// Returns the exact result, which must exist, in integers of any size.
 Exact<Integer> wide_exact(const cases::Variant& variant, const Operands& operands) {
   const auto floor = exact_ulps(variant, operands, oracle::Rounding::floor);
-  if (const Converted* converted = operands.converted()) {
+  if (const ValuedCase* valued = operands.valued()) {
     const oracle::Ratio unit = unit_of(variant.format);
-    const Integer denominator = converted->value->denominator * unit.numerator;
-    return {*floor, converted->value->numerator * unit.denominator - *floor * denominator,
+    const Integer denominator = valued->value->denominator * unit.numerator;
+    return {*floor, valued->value->numerator * unit.denominator - *floor * denominator,
             denominator};
   }
   const auto words = operands.words();
@@ -122,7 +122,7 @@ CaseKind ExactPlace::kind(bool overflows) const {
 
 ExactPlace exact_place(const cases::Variant& variant, const Operands& operands) {
   constexpr auto down = oracle::Rounding::floor;
-  const bool by_words = operands.converted() == nullptr;
+  const bool by_words = operands.valued() == nullptr;
   const bool narrow = by_words && variant.format == cases::q16_16;
   const auto words = operands.words();
   const auto ulps = narrow ? narrow_ulps(variant.operation, words, down) : std::nullopt;

@@ -7,9 +7,9 @@ namespace fixproof::check {
 
 std::optional<oracle::Integer> exact_ulps(const cases::Variant& variant, const Operands& operands,
                                           oracle::Rounding rule) {
-  const Converted* converted = operands.converted();
-  const auto value = converted != nullptr ? converted->value
-                                          : cases::exact_value(variant, operands.words()).value;
+  const ValuedCase* valued = operands.valued();
+  const auto value =
+      valued != nullptr ? valued->value : cases::exact_value(variant, operands.words()).value;
   if (!value) return std::nullopt;
   return cases::to_ulps(*value, rule, variant.format);
 }

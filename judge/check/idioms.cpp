@@ -277,11 +277,11 @@ void IdiomTrial::add(const JudgedCase& one, bool right) {
     }
   };
   if (variant_.operation == Operation::mul_div) {
-    const auto ulps = [&](std::size_t i) { return oracle::ulps(one.converted->words.at(i), wide); };
+    const auto ulps = [&](std::size_t i) { return oracle::ulps(one.valued->words.at(i), wide); };
     return compare_wide(ulps(0) * ulps(1), ulps(2));
   }
-  if (one.converted) {
-    const auto& [numerator, denominator] = *one.converted->value;
+  if (one.valued) {
+    const auto& [numerator, denominator] = *one.valued->value;
     const oracle::Ratio unit = unit_of(format);
     return compare_wide(numerator * unit.denominator, denominator * unit.numerator);
   }

@@ -20,14 +20,12 @@ struct JudgedCase {
   std::string_view origin;   ///< the stream or the file of the case; must outlive the case
   std::array<std::uint64_t, 2> words{};
   Said said;
-  std::optional<Converted> converted{};  ///< of a case that is judged by its exact value
-  std::string said_text{};               ///< the result of to_decimal, as it stands on its line
+  std::optional<ValuedCase> valued{};  ///< of a case that is judged by its exact value
+  std::string said_text{};             ///< the result of to_decimal, as it stands on its line
   /// The words in two's complement, if a rule reads them otherwise: see read_words().
   std::optional<std::array<std::uint64_t, 2>> read{};
 
-  [[nodiscard]] Operands operands() const {
-    return converted ? Operands(*converted) : Operands(words);
-  }
+  [[nodiscard]] Operands operands() const { return valued ? Operands(*valued) : Operands(words); }
   /// The operands that have the exact result.
   [[nodiscard]] Operands values() const { return read ? Operands(*read) : operands(); }
   /// Sets `read` if the rule reads the words otherwise.

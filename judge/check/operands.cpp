@@ -15,9 +15,9 @@ namespace {
 
 using cases::Operation;
 
-Converted converted_double(std::uint64_t bits) {
+ValuedCase converted_double(std::uint64_t bits) {
   const auto number = std::bit_cast<double>(bits);
-  Converted operand{.text = {}, .value = oracle::double_value(number)};
+  ValuedCase operand{.text = {}, .value = oracle::double_value(number)};
   if (std::isinf(number)) operand.sign = number < 0 ? -1 : 1;
   return operand;
 }
@@ -33,8 +33,8 @@ std::vector<std::uint64_t> words_in(std::string_view line, const cases::Variant&
 
 }  // namespace
 
-Converted parse_converted(std::string_view line, const cases::Variant& variant) {
-  Converted operand;
+ValuedCase parse_valued(std::string_view line, const cases::Variant& variant) {
+  ValuedCase operand;
   switch (variant.operation) {
     case Operation::from_binary64:
       operand = converted_double(support::parse_long_hex(line, 16));
@@ -54,7 +54,7 @@ Converted parse_converted(std::string_view line, const cases::Variant& variant) 
   return operand;
 }
 
-std::string text_of(const Converted& operand, const cases::Variant& variant) {
+std::string text_of(const ValuedCase& operand, const cases::Variant& variant) {
   switch (variant.operation) {
     case Operation::from_decimal:
       return operand.text;

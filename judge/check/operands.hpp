@@ -29,7 +29,7 @@ constexpr bool is_judged_by_value(const cases::Variant& v) {
 }
 
 /// The operands of a case and the exact value of its result.
-struct Converted {
+struct ValuedCase {
   std::string text;                         ///< the operands as they stand on their line
   std::optional<oracle::Ratio> value;       ///< empty for NaN and infinities, outside a domain, and
                                             ///< for a zero divisor
@@ -42,11 +42,11 @@ struct Converted {
 
 /// Parses the operands of a case of any operation that is_judged().
 /// @throws UsageError describing the defect of the line
-Converted parse_converted(std::string_view line, const cases::Variant& variant);
+ValuedCase parse_valued(std::string_view line, const cases::Variant& variant);
 
 /// Returns the operand as a reader knows it: words and doubles with their value, decimals as they
 /// are.
-std::string text_of(const Converted& operand, const cases::Variant& variant);
+std::string text_of(const ValuedCase& operand, const cases::Variant& variant);
 
 /// Refers to the operands of a case, which must outlive it.
 class Operands {
@@ -55,24 +55,24 @@ class Operands {
   requires std::convertible_to<const Words&, std::span<const std::uint64_t>> Operands(
       const Words& words)
       : words_(words) {}
-  Operands(const Converted& converted) : converted_(&converted) {}
+  Operands(const ValuedCase& valued) : valued_(&valued) {}
 
   /// Of any other case.
   [[nodiscard]] std::span<const std::uint64_t> words() const { return words_; }
   /// Null unless is_judged_by_value().
-  [[nodiscard]] const Converted* converted() const { return converted_; }
+  [[nodiscard]] const ValuedCase* valued() const { return valued_; }
 
   /// The sign that decides the result of a case without one: that of a dividend, a product, a
   /// radicand or an infinity.
   [[nodiscard]] int sign(const cases::Format& format) const {
-    if (converted_ != nullptr) return converted_->sign;
+    if (valued_ != nullptr) return valued_->sign;
     if (words_[0] == 0) return 0;
     return is_negative(words_[0], format) ? -1 : 1;
   }
 
  private:
   std::span<const std::uint64_t> words_;
-  const Converted* converted_ = nullptr;
+  const ValuedCase* valued_ = nullptr;
 };
 
 }  // namespace fixproof::check

@@ -237,7 +237,7 @@ Said result_of(const PortRule& rule, const cases::Format& format, const Operands
   const auto used = std::span(values).first(cases::words_in(rule.operation));
   for (std::size_t i = 0; i < used.size(); ++i) {
     const std::uint64_t bits =
-        operands.converted() != nullptr ? operands.converted()->words.at(i) : operands.words()[i];
+        operands.valued() != nullptr ? operands.valued()->words.at(i) : operands.words()[i];
     used[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(bits));
   }
   return rule.result(used, format.fraction_bits);

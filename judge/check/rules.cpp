@@ -79,10 +79,10 @@ Said mirrored_root(std::uint64_t radicand, const cases::Format& format, Rounding
 Said no_result_of(NoResult rule, const cases::Format& format, const Operands& operands,
                   Rounding rounding) {
   if (rule != NoResult::mirror) return limit_of(rule, format, operands.sign(format) < 0);
-  if (operands.converted() == nullptr) {
+  if (operands.valued() == nullptr) {
     return mirrored_root(operands.words()[0], format, rounding);
   }
-  return oracle::wrap(to_ulps(*operands.converted()->mirrored, rounding, format),
+  return oracle::wrap(to_ulps(*operands.valued()->mirrored, rounding, format),
                       format.as<oracle::Format>());
 }
 
@@ -208,7 +208,7 @@ std::span<const NoResult> no_result_rules(const cases::Variant& variant) {
 
 std::optional<Rounded> rounded_result(const cases::Variant& variant, const Operands& operands,
                                       Rounding rule) {
-  if (variant.format == cases::q16_16 && operands.converted() == nullptr) {
+  if (variant.format == cases::q16_16 && operands.valued() == nullptr) {
     const auto ulps = narrow_ulps(variant.operation, operands.words(), rule);
     if (!ulps) return std::nullopt;
     return narrow_word(*ulps);
@@ -232,8 +232,8 @@ bool keeps(NoResult rule, const cases::Format& format, const Operands& operands,
 
 bool is_within(const Within& within, const cases::Variant& variant, const Operands& operands,
                std::uint64_t said) {
-  const oracle::Ratio exact = operands.converted() != nullptr
-                                  ? *operands.converted()->value
+  const oracle::Ratio exact = operands.valued() != nullptr
+                                  ? *operands.valued()->value
                                   : *cases::exact_value(variant, operands.words()).value;
   const oracle::Ratio result = value_of(said, variant.format);
   // |result - exact|, in parts of the product of the denominators.

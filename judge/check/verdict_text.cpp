@@ -21,7 +21,7 @@ std::string text_of_said(Said said, const cases::Format& format) {
 /// Returns the words in hex and, in parentheses, their values; the operand of a conversion
 /// likewise.
 std::string text_of_operands(const JudgedCase& one, const Rules& rules) {
-  if (one.converted) return text_of(*one.converted, rules.variant);
+  if (one.valued) return text_of(*one.valued, rules.variant);
   std::string hex;
   std::string decimal;
   const auto values = one.values().words();

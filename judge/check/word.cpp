@@ -56,7 +56,7 @@ void join_words(std::span<const std::uint32_t> parts, const cases::Format& forma
 }
 
 std::string hex_text(std::uint64_t word, const cases::Format& format) {
-  return fmt::format("{:0{}x}", cases::stored_or_word(word, format), digits_of(format));
+  return fmt::format("{:0{}x}", cases::stored(word, format), digits_of(format));
 }
 
 std::string decimal_text(std::uint64_t word, const cases::Format& format) {
@@ -86,7 +86,7 @@ std::string result_format(const cases::Format& format, bool decimal) {
 Said parse_result(std::string_view line, const cases::Format& format) {
   if (line == "DE") return std::nullopt;
   try {
-    return cases::stored_or_word(support::parse_long_hex(line, digits_of(format)), format);
+    return cases::word_in(support::parse_long_hex(line, digits_of(format)), format);
   } catch (const support::UsageError& error) {
     throw support::UsageError(fmt::format("{}; {}", error.what(), result_format(format)));
   }

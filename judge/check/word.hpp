@@ -20,15 +20,6 @@ namespace fixproof::check {
 /// word may be none; such a result has bits above the word.
 using Said = std::optional<std::uint64_t>;
 
-constexpr std::uint64_t sign_bit(const cases::Format& format) {
-  return std::uint64_t{1} << (format.word_bits - 1);
-}
-constexpr std::uint64_t highest(const cases::Format& format) {
-  return format.is_signed ? sign_bit(format) - 1 : cases::all_ones(format);
-}
-constexpr std::uint64_t lowest(const cases::Format& format) {
-  return format.is_signed ? sign_bit(format) : 0;
-}
 /// Returns minus highest(); lowest() if the format is unsigned.
 constexpr std::uint64_t minus_highest(const cases::Format& format) {
   return format.is_signed ? sign_bit(format) + 1 : 0;

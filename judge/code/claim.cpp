@@ -178,19 +178,19 @@ std::string overflowed(const check::Rules& rules) {
   };
   const auto by_sign = [&](std::uint64_t low) {
     return fmt::format("(ite (bvslt rounded (_ bv0 {})) {} {})", 2 * format.word_bits, word(low),
-                       word(check::highest(format)));
+                       word(cases::highest(format)));
   };
   switch (rules.overflow) {
     case check::Overflow::wrap:
       return "cut";
     case check::Overflow::saturate:
-      return by_sign(check::lowest(format));
+      return by_sign(cases::lowest(format));
     case check::Overflow::symmetric:
       return by_sign(check::minus_highest(format));
     case check::Overflow::maximum:
-      return word(check::highest(format));
+      return word(cases::highest(format));
     case check::Overflow::minimum:
-      return word(check::lowest(format));
+      return word(cases::lowest(format));
     default:
       return "";
   }
@@ -204,7 +204,7 @@ Claim guarded(Claim claim, const cases::Format& format) {
       "a))))\n"
       "(define-fun guarded () Bool (not (bvslt shifted (magnitude b))))\n"
       "(define-fun end () (_ BitVec {0}) (ite (opposite a b) (_ bv{2} {0}) (_ bv{3} {0})))\n",
-      bits, bits - 1, check::lowest(format), check::highest(format));
+      bits, bits - 1, cases::lowest(format), cases::highest(format));
   claim.may_fault = fmt::format("(and (not guarded) {})", claim.may_fault);
   claim.is_right = fmt::format("(ite guarded (= {{0}} end) {})", claim.is_right);
   return claim;

@@ -97,7 +97,7 @@ check::JudgedCase judged_case(const cases::Variant& variant, std::span<const std
   if (check::is_judged_by_value(variant)) {
     std::string line;
     cases::append_operands(line, variant, words);
-    one.converted = check::parse_converted(line, variant);
+    one.valued = check::parse_valued(line, variant);
   } else {
     check::join_words(words, variant.format,
                       std::span(one.words).first(cases::words_in(variant.operation)));

@@ -111,10 +111,10 @@ std::int64_t ulps_of(std::uint64_t word, const Format& format) {
 template <class Float>
 std::uint64_t rounded_word(Float result, const Format& format) {
   const Float ulps = std::ldexp(result, format.fraction_bits);
-  if (!(ulps > static_cast<Float>(ulps_of(check::lowest(format), format)))) {
-    return check::lowest(format);
+  if (!(ulps > static_cast<Float>(ulps_of(cases::lowest(format), format)))) {
+    return cases::lowest(format);
   }
-  if (ulps >= static_cast<Float>(check::highest(format))) return check::highest(format);
+  if (ulps >= static_cast<Float>(cases::highest(format))) return cases::highest(format);
   return static_cast<std::uint64_t>(std::llrint(ulps)) & cases::all_ones(format);
 }
 
@@ -177,7 +177,7 @@ std::vector<AccuracyRow> measure_function(const cases::Variant& variant,
                     0});
   }
   check::GeneratedCases source(variant, {.seed = request.seed, .cases = request.cases});
-  while (const auto operands = source.next_converted()) {
+  while (const auto operands = source.next_valued()) {
     if (stop) break;
     const auto rounded = check::rounded_result(variant, *operands, oracle::Rounding::half_up);
     if (!rounded || !rounded->fits) {
@@ -187,7 +187,7 @@ std::vector<AccuracyRow> measure_function(const cases::Variant& variant,
     std::array<std::uint64_t, 3> three{};
     std::ranges::copy(operands->words, three.begin());
     check::JudgedCase judged;
-    judged.converted = operands;
+    judged.valued = operands;
     const ExactResult exact{operands->value->numerator << format.fraction_bits,
                             operands->value->denominator};
     for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -35,10 +35,10 @@ std::uint64_t half_dropped(const Variant& v) {
   if (!from.is_decimal) return dropped > from.word_bits ? 0 : std::uint64_t{1} << (dropped - 1);
   std::uint64_t half = 5;
   for (int i = 1; i < dropped; ++i) {
-    if (half > largest(from) / 10) return 0;
+    if (half > highest(from) / 10) return 0;
     half *= 10;
   }
-  return half <= largest(from) ? half : 0;
+  return half <= highest(from) ? half : 0;
 }
 
 // Doubles.
@@ -99,7 +99,7 @@ std::uint64_t word_tie(Draw& draw, const Variant& v) {
   const std::uint64_t half = half_dropped(v);
   if (from.is_decimal) {
     // An odd multiple of half a unit of the results.
-    const std::uint64_t units = draw.bits() % (largest(from) / half + 1);
+    const std::uint64_t units = draw.bits() % (highest(from) / half + 1);
     return either_sign(draw, half * (units % 2 == 0 && units != 0 ? units - 1 : units | 1), from);
   }
   std::uint64_t word = any_width(draw, from);

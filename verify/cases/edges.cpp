@@ -40,7 +40,7 @@ constexpr Value multiples = 64;
 struct Range {
   explicit Range(const Format& format)
       : lowest(format.is_signed ? -format.limit() : 0),
-        highest(static_cast<Value>(all_ones(format) >> (format.is_signed ? 1U : 0U))) {}
+        highest(static_cast<Value>(cases::highest(format))) {}
 
   [[nodiscard]] bool has(Value value) const { return value >= lowest && value <= highest; }
 

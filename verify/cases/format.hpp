@@ -59,13 +59,28 @@ constexpr bool is_of_type(const Format& format) {
          format.fraction_bits >= 0 && format.fraction_bits <= format.word_bits;
 }
 
-/// Returns the integer that stores a word, with copies of its sign above it; and the other way
-/// round. An integer that stores no word has bits above the word.
-constexpr std::uint64_t stored_or_word(std::uint64_t word, const Format& format) {
-  const bool is_negative = format.is_signed && (word >> (format.word_bits - 1) & 1U) != 0;
+constexpr std::uint64_t sign_bit(const Format& format) {
+  return std::uint64_t{1} << (format.word_bits - 1);
+}
+/// The words of the largest and of the least number.
+constexpr std::uint64_t highest(const Format& format) {
+  return format.is_signed ? sign_bit(format) - 1 : all_ones(format);
+}
+constexpr std::uint64_t lowest(const Format& format) {
+  return format.is_signed ? sign_bit(format) : 0;
+}
+
+/// Returns the integer that stores a word, with copies of its sign above it.
+constexpr std::uint64_t stored(std::uint64_t word, const Format& format) {
+  const bool is_negative = format.is_signed && (word & sign_bit(format)) != 0;
   const std::uint64_t above =
       (~std::uint64_t{0} >> (64 - storage_bits(format))) & ~all_ones(format);
   return is_negative ? word ^ above : word;
+}
+/// Returns the word that an integer stores; one that stores none keeps bits above the word. Copies
+/// of the sign are dropped as they are added.
+constexpr std::uint64_t word_in(std::uint64_t integer, const Format& format) {
+  return stored(integer, format);
 }
 
 /// The bits of the largest word.

@@ -60,10 +60,6 @@ std::uint64_t rectangle(std::uint64_t r, int shift) {
 
 }  // namespace
 
-std::uint64_t largest(const Format& format) {
-  return all_ones(format) >> (format.is_signed ? 1 : 0);
-}
-
 std::uint64_t any_number(Draw& draw, int widest) {
   const int width = draw.between(0, widest);
   if (width == 0) return 0;
@@ -97,7 +93,7 @@ std::optional<Format> maker_format(Stream stream, const Variant& variant) {
   const int of_product = 2 * format.fraction_bits - result.fraction_bits;
   if (format.is_decimal || result.is_decimal) {
     const bool both = format.is_decimal && result.is_decimal;
-    const std::uint64_t most = largest(format);
+    const std::uint64_t most = highest(format);
     switch (stream) {
       case Stream::product_ties:
         return with(of_product,
@@ -148,7 +144,7 @@ std::optional<Format> maker_format(Stream stream, const Variant& variant) {
 WordPair product_tie_in(Draw& draw, const Format& format) {
   if (format.is_decimal) {
     // 10^i u 5 10^j v, for odd u and v, is an odd multiple of half of 10^(i+j+1).
-    const std::uint64_t most = largest(format);
+    const std::uint64_t most = highest(format);
     const int tens = format.fraction_bits - 1;
     const int in_a = draw.between(std::max(0, tens - digits_below(most, 5)),
                                   std::min(tens, digits_below(most, 1)));
@@ -182,7 +178,7 @@ WordPair quotient_tie_in(Draw& draw, const Format& format) {
   // n 2^F = (q + 1/2) d holds for d = 2^(F+1) m and n = m (2q + 1), and likewise for 10^F.
   const int bits = magnitude_bits(format);
   if (format.is_decimal) {
-    const std::uint64_t most = largest(format);
+    const std::uint64_t most = highest(format);
     const std::uint64_t step = 2 * *power_of_ten(format.fraction_bits);
     const std::uint64_t m = odd_up_to(draw, most / step);
     return either_sign(draw, m * odd_up_to(draw, most / m), m * step, format);
@@ -199,7 +195,7 @@ WordPair near_quotient_tie_in(Draw& draw, const Format& format) {
   std::uint64_t n = d / 2 + (draw.coin() ? 1 : 0);
   for (int i = 0; i < format.fraction_bits; ++i) n = n / 2 + (n % 2 == 0 ? 0 : d / 2 + 1);
   // Adding d keeps the remainder.
-  const std::uint64_t steps = (largest(format) - n) / d;
+  const std::uint64_t steps = (highest(format) - n) / d;
   if (steps > 0) n += d * (draw.bits() % (steps + 1));
   return either_sign(draw, n, d, format);
 }
@@ -225,12 +221,12 @@ std::uint64_t root_tie_in(Draw& draw, const Format& format) {
   // The largest root has half of these bits, rounded up; 64-bit words leave no room for that.
   const int root_bits = (bits + format.fraction_bits + (bits < 64 ? 1 : 0)) / 2;
   std::uint64_t r = std::min(any_number(draw, root_bits), ~std::uint64_t{} - 1);
-  while (rectangle(r, format.fraction_bits) >= largest(format)) r /= 2;
+  while (rectangle(r, format.fraction_bits) >= highest(format)) r /= 2;
   return rectangle(r, format.fraction_bits) + (draw.coin() ? 1 : 0);
 }
 
 std::uint64_t extreme_word(Draw& draw, const Format& format) {
-  const std::uint64_t most = largest(format);
+  const std::uint64_t most = highest(format);
   const std::array<std::uint64_t, 6> words{most, most + 1, most + 2, 0, 1, ~std::uint64_t{0}};
   return words.at(draw.below(words.size())) & all_ones(format);
 }

@@ -22,8 +22,6 @@ std::uint64_t any_word(Draw& draw, const Format& format);
 /// Every width is equally likely, with either sign if the format has one.
 std::uint64_t any_width(Draw& draw, const Format& format);
 
-/// The largest word.
-std::uint64_t largest(const Format& format);
 /// Returns a number of 0 ... `widest` bits. Every width is equally likely. 0 <= widest <= 64
 std::uint64_t any_number(Draw& draw, int widest);
 /// Returns an odd number of 1 ... `widest` bits.

@@ -66,7 +66,7 @@ std::optional<std::uint64_t> last_edge(std::uint64_t x, std::uint64_t y, std::ui
   const std::uint64_t less = t * t + t + extra;
   if (squares < less || (squares - less) % (2 * t + 1) != 0) return std::nullopt;
   const std::uint64_t z = (squares - less) / (2 * t + 1);
-  return z <= largest(format) ? std::optional(z) : std::nullopt;
+  return z <= highest(format) ? std::optional(z) : std::nullopt;
 }
 
 }  // namespace
@@ -74,8 +74,8 @@ std::optional<std::uint64_t> last_edge(std::uint64_t x, std::uint64_t y, std::ui
 WordPair half_multiple(Draw& draw, const Format& format) {
   const std::uint64_t d = std::max<std::uint64_t>(1, any_number(draw, magnitude_bits(format)));
   const std::uint64_t half = d / 2 + (draw.coin() ? d % 2 : 0);
-  std::uint64_t n = d * any_up_to(draw, largest(format) / d);
-  if (n > largest(format) - half) n -= d;
+  std::uint64_t n = d * any_up_to(draw, highest(format) / d);
+  if (n > highest(format) - half) n -= d;
   if (draw.coin()) n += half;
   n += one_off(draw);
   const std::uint64_t dividend = either_sign(draw, n, format);
@@ -100,7 +100,7 @@ WordTriple near_ratio_tie(Draw& draw, const Format& format) {
   while (std::gcd(a, c) != 1) a /= std::gcd(a, c);
   const std::uint64_t rest = c / 2 + (draw.coin() ? 1 : 0);
   std::uint64_t b = product_modulo(rest, inverse_modulo(a, c), c);
-  b += c * any_up_to(draw, (largest(format) - b) / c);
+  b += c * any_up_to(draw, (highest(format) - b) / c);
   return either_sign(draw, draw.coin() ? WordTriple{a, b, c} : WordTriple{b, a, c}, format);
 }
 
@@ -108,7 +108,7 @@ WordTriple large_ratio(Draw& draw, const Format& format) {
   const int bits = magnitude_bits(format);
   const int shift = draw.between(0, bits - 1);
   const std::uint64_t c = std::max<std::uint64_t>(1, any_number(draw, bits - shift));
-  const std::uint64_t a = (largest(format) >> shift) + one_off(draw);
+  const std::uint64_t a = (highest(format) >> shift) + one_off(draw);
   return either_sign(draw, {a, (c << shift) + one_off(draw), c}, format);
 }
 
@@ -123,7 +123,7 @@ WordTriple whole_length(Draw& draw, const Format& format) {
   std::array<std::int64_t, 3> edges{k * k + l * l - m * m - n * n, 2 * (k * n + l * m),
                                     2 * (l * n - k * m)};
   const std::uint64_t most =
-      largest(format) / static_cast<std::uint64_t>(k * k + l * l + m * m + n * n);
+      highest(format) / static_cast<std::uint64_t>(k * k + l * l + m * m + n * n);
   // One more than the largest scale makes the length overflow.
   const std::uint64_t scale =
       std::max<std::uint64_t>(1, draw.coin() ? any_up_to(draw, most) : most + draw.below(2));

@@ -85,7 +85,7 @@ std::string decimal_of(std::uint64_t magnitude, const Format& format, bool and_h
 void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_t> words) {
   Format format = operand_format(v);
   format.word_bits = operand_bits(v);
-  const int stored = storage_bits(format);
+  const auto digits_of_word = static_cast<std::size_t>(storage_bits(format) / 4);
   const std::size_t each = words_per_number(format);
   const std::size_t numbers = words.size() / each;
   for (std::size_t i = 0; i < numbers; ++i) {
@@ -96,8 +96,7 @@ void parse_words(std::string_view line, const Variant& v, std::span<std::uint32_
                                             name_of(v.operation), numbers, numbers > 1 ? "s" : ""));
     }
     const std::string_view digits = line.substr(0, space);
-    const std::uint64_t number = stored_or_word(
-        support::parse_long_hex(digits, static_cast<std::size_t>(stored / 4)), format);
+    const std::uint64_t number = word_in(support::parse_long_hex(digits, digits_of_word), format);
     if ((number & ~all_ones(format)) != 0) {
       throw support::UsageError(fmt::format(
           "'{}' is not a word of {}: the bits above its {} are not "
@@ -124,13 +123,14 @@ void append_operands(std::string& to, const Variant& v, std::span<const std::uin
   if (v.operation == Operation::from_decimal) return append_decimal_operand(to, words, v.format);
   Format format = operand_format(v);
   format.word_bits = operand_bits(v);
-  const int stored = storage_bits(format);
-  if (stored == format.word_bits) return append_words(to, words, stored);
+  const int bits = storage_bits(format);
+  if (bits == format.word_bits) return append_words(to, words, bits);
+  const int digits = bits / 4;
   const std::size_t each = words_per_number(format);
   for (std::size_t i = 0; i < words.size(); i += each) {
     const std::uint64_t word = each == 2 ? joined(words.subspan(i, 2)) : words[i];
     if (i > 0) to += ' ';
-    to += fmt::format("{:0{}x}", stored_or_word(word, format), stored / 4);
+    to += fmt::format("{:0{}x}", stored(word, format), digits);
   }
 }
 

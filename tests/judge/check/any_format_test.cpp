@@ -97,7 +97,7 @@ TEST(CheckAnyFormat, RootsOfNegativeNumbersMirrorInEveryFormat) {
   const auto v = variant_of(Operation::sqrt, format_named("q8_8"), format_named("q4_4"));
   Rules rules{.variant = v, .rounding = oracle::Rounding::floor, .no_result = NoResult::mirror};
   // The root of 2 is 22.63 of 1/16.
-  const Converted minus_2 = parse_converted("fe00", v);
+  const ValuedCase minus_2 = parse_valued("fe00", v);
   EXPECT_EQ(expected_of(rules, minus_2).said, 0x100 - 23U);
   rules.rounding = oracle::Rounding::ceiling;
   EXPECT_EQ(expected_of(rules, minus_2).said, 0x100 - 22U);
@@ -158,9 +158,9 @@ TEST(CheckAnyFormat, CentsHaveTies) {
     GeneratedCases cases(v, {.cases = 3000});
     Rules even{.variant = v, .rounding = oracle::Rounding::half_even};
     Judge judge({.variant = v}, 1);
-    while (const auto one = cases.next_converted()) {
+    while (const auto one = cases.next_valued()) {
       JudgedCase judged;
-      judged.converted = one;
+      judged.valued = one;
       judged.said = expected_of(even, *one).said;
       judge.add(judged);
     }
@@ -175,7 +175,7 @@ TEST(CheckAnyFormat, SumsOfCoarserResultsHaveTies) {
                               judged_format_named("q12_4"));
     GeneratedCases cases(v, {});
     std::uint64_t ties = 0;
-    while (const auto one = cases.next_converted()) {
+    while (const auto one = cases.next_valued()) {
       if (cases.origin() == "product_ties" && exact_place(v, *one).tie) ++ties;
     }
     EXPECT_GT(ties, cases.count_of("product_ties") * 9 / 10) << operation;

@@ -41,7 +41,7 @@ Rules rules_for(const Variant& of, Rounding rounding) {
 }
 
 Said expected(const Rules& rules, std::string_view line) {
-  const Converted operand = parse_converted(line, rules.variant);
+  const ValuedCase operand = parse_valued(line, rules.variant);
   return expected_of(rules, operand).said;
 }
 
@@ -85,8 +85,8 @@ TEST(CheckConversions, DoublesThatAreNotFinite) {
   EXPECT_EQ(expected(rules, infinity), 0xffffU);
   EXPECT_EQ(expected(rules, minus_infinity), 0U);
   const Variant& v = rules.variant;
-  EXPECT_TRUE(keeps(rules, parse_converted(nan, v), 0));
-  EXPECT_FALSE(keeps(rules, parse_converted(infinity, v), 0));
+  EXPECT_TRUE(keeps(rules, parse_valued(nan, v), 0));
+  EXPECT_FALSE(keeps(rules, parse_valued(infinity, v), 0));
 }
 
 TEST(CheckConversions, WordsOfOtherFormats) {
@@ -120,7 +120,7 @@ TEST(CheckConversions, DecimalTexts) {
 
 TEST(CheckConversions, LinesThatAreNoOperands) {
   const auto refused = [](const Variant& v, std::string_view line) {
-    EXPECT_THROW(static_cast<void>(parse_converted(line, v)), UsageError) << line;
+    EXPECT_THROW(static_cast<void>(parse_valued(line, v)), UsageError) << line;
   };
   for (const char* line : {"3ff800000000000", "3FF8000000000000", "1.5", ""}) {
     refused(variant(Operation::from_binary64), line);
@@ -147,7 +147,7 @@ TEST(CheckConversions, TextsOfAWord) {
 
 /// Calls `look` with the place of every case of a stream.
 void each_place(const Variant& v, Stream stream,
-                const std::function<void(const ExactPlace&, const Converted&)>& look) {
+                const std::function<void(const ExactPlace&, const ValuedCase&)>& look) {
   constexpr std::size_t count = 2000;
   const std::size_t each = fixproof::cases::words_in(v);
   std::vector<std::uint32_t> words(count * each);
@@ -155,7 +155,7 @@ void each_place(const Variant& v, Stream stream,
   for (std::size_t i = 0; i < count; ++i) {
     std::string line;
     fixproof::cases::append_operands(line, v, std::span(words).subspan(i * each, each));
-    const Converted operand = parse_converted(line, v);
+    const ValuedCase operand = parse_valued(line, v);
     look(exact_place(v, operand), operand);
   }
 }
@@ -166,11 +166,11 @@ TEST(CheckConversions, StreamsOfTiesHaveNothingElse) {
         variant(Operation::from_binary64, "u0_64"), variant(Operation::convert, "q8_8"),
         variant(Operation::convert, "u0_8", "q1_63"), variant(Operation::from_decimal),
         variant(Operation::from_decimal, "u0_64"), variant(Operation::from_decimal, "q8_0")}) {
-    each_place(v, Stream::value_ties, [](const ExactPlace& place, const Converted& operand) {
+    each_place(v, Stream::value_ties, [](const ExactPlace& place, const ValuedCase& operand) {
       EXPECT_TRUE(place.tie) << operand.text;
     });
     std::size_t above = 0;
-    each_place(v, Stream::near_value_ties, [&](const ExactPlace& place, const Converted& operand) {
+    each_place(v, Stream::near_value_ties, [&](const ExactPlace& place, const ValuedCase& operand) {
       EXPECT_FALSE(place.tie || place.exact) << operand.text;
       if (place.fraction >= 0.5) ++above;
     });
@@ -184,7 +184,7 @@ TEST(CheckConversions, AChangeOfFormatThatDropsNothingHasNoTies) {
   GeneratedCases cases(variant(Operation::convert, "q16_16", "q8_8"), options);
   EXPECT_EQ(cases.count_of("value_ties"), 0U);
   EXPECT_GT(cases.count_of("lattice"), 0U);
-  while (const auto operand = cases.next_converted()) {
+  while (const auto operand = cases.next_valued()) {
     ASSERT_TRUE(exact_place(variant(Operation::convert, "q16_16", "q8_8"), *operand).exact);
   }
 }
@@ -194,7 +194,7 @@ TEST(CheckConversions, EachExponentOfADoubleIsInTheLattice) {
   GeneratedCases cases(variant(Operation::from_binary64), options);
   std::vector<int> of_exponent(2048);
   for (std::uint64_t i = 0; i < cases.count_of("lattice"); ++i) {
-    const auto operand = cases.next_converted();
+    const auto operand = cases.next_valued();
     ASSERT_TRUE(operand);
     const std::uint64_t bits = fixproof::support::parse_long_hex(operand->text, 16);
     ++of_exponent.at(bits >> 52U & 2047U);
@@ -224,10 +224,9 @@ Judge judged_doubles(const std::function<double(double)>& ulps_of) {
   Judge judge(rules, 3);
   JudgedCase one;
   one.origin = "stream";
-  while ((one.converted = cases.next_converted())) {
+  while ((one.valued = cases.next_valued())) {
     ++one.number;
-    const auto x =
-        std::bit_cast<double>(fixproof::support::parse_long_hex(one.converted->text, 16));
+    const auto x = std::bit_cast<double>(fixproof::support::parse_long_hex(one.valued->text, 16));
     const double ulps = std::isnan(x) ? 0 : std::fmin(std::fmax(ulps_of(x), -0x1p31), 0x1p31 - 1);
     one.said = static_cast<std::uint32_t>(static_cast<std::int32_t>(ulps));
     judge.add(one);
@@ -250,7 +249,7 @@ TEST(CheckConversions, AWrongResultIsShownWithItsSource) {
     Judge judge(rules_for(v, Rounding::half_even), 3);
     JudgedCase one;
     one.origin = "here";
-    one.converted = parse_converted(c.line, v);
+    one.valued = parse_valued(c.line, v);
     one.said = 0x3c;
     judge.add(one);
     EXPECT_NE(verdict_text(judge).find(c.shown), std::string::npos) << verdict_text(judge);

@@ -23,12 +23,12 @@ Rules rules_for(Operation operation, Rounding rounding = Rounding::half_up,
           .overflow = Overflow::saturate};
 }
 
-Converted operands_of(const Rules& rules, std::string_view line) {
-  return parse_converted(line, rules.variant);
+ValuedCase operands_of(const Rules& rules, std::string_view line) {
+  return parse_valued(line, rules.variant);
 }
 
 Said expected_for(const Rules& rules, std::string_view line) {
-  const Converted operands = operands_of(rules, line);
+  const ValuedCase operands = operands_of(rules, line);
   return expected_of(rules, operands).said;
 }
 
@@ -69,7 +69,7 @@ TEST(CheckFunctions, TheVerdictNamesOperandsAndKind) {
     JudgedCase one;
     one.number = judge.cases() + 1;
     one.origin = "lattice";
-    one.converted = operands_of(rules, line);
+    one.valued = operands_of(rules, line);
     one.said = said;
     judge.add(one);
   };
@@ -89,8 +89,8 @@ std::string verdict_of(std::int64_t (*subject)(std::int64_t operand, std::int64_
   Judge judge(rules, 0);
   for (std::int64_t operand = -131072; operand <= 131072; operand += 1024) {
     JudgedCase one;
-    one.converted = operands_of(rules, fmt::format("{:08x}", static_cast<std::uint32_t>(operand)));
-    const Said right = expected_of(rules, *one.converted).said;
+    one.valued = operands_of(rules, fmt::format("{:08x}", static_cast<std::uint32_t>(operand)));
+    const Said right = expected_of(rules, *one.valued).said;
     const auto ulps = static_cast<std::int32_t>(right.value());
     one.said = static_cast<std::uint32_t>(subject(operand, ulps));
     judge.add(one);

@@ -250,10 +250,10 @@ TEST(Ports, GeneralRulesAreTheRule) {
       const std::array words{static_cast<std::uint32_t>(pair.a),
                              static_cast<std::uint32_t>(pair.b)};
       const std::array<std::uint64_t, 2> two{words[0], words[1]};
-      const Converted three =
-          parse_converted(fmt::format("{:08x} {:08x} {:08x}", words[0], words[1],
-                                      static_cast<std::uint32_t>(pairs.next().b)),
-                          fixproof::cases::variant_of(Operation::mul_div, fixproof::cases::q16_16));
+      const ValuedCase three =
+          parse_valued(fmt::format("{:08x} {:08x} {:08x}", words[0], words[1],
+                                   static_cast<std::uint32_t>(pairs.next().b)),
+                       fixproof::cases::variant_of(Operation::mul_div, fixproof::cases::q16_16));
       const Operands operands = rule.operation == Operation::mul_div ? Operands(three) : two;
       if (!keeps(general, operands, result_of(rule, format, operands))) ++other;
     }

@@ -24,7 +24,7 @@ Rules quotient_rules(Operation operation, Rounding rounding = Rounding::half_up,
 }
 
 Said said_for_line(const Rules& rules, std::string_view line) {
-  const Converted operands = parse_converted(line, rules.variant);
+  const ValuedCase operands = parse_valued(line, rules.variant);
   return expected_of(rules, operands).said;
 }
 
@@ -119,9 +119,9 @@ Judge judged_of_three(const Rules& rules, const SubjectOfThree& subject) {
   GeneratedCases cases(rules.variant, options);
   Judge judge(rules, 3);
   JudgedCase one;
-  while ((one.converted = cases.next_converted())) {
+  while ((one.valued = cases.next_valued())) {
     const auto operand = [&](std::size_t i) -> std::int64_t {
-      return static_cast<std::int32_t>(one.converted->words.at(i));
+      return static_cast<std::int32_t>(one.valued->words.at(i));
     };
     ++one.number;
     one.origin = cases.origin();
