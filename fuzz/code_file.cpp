@@ -77,15 +77,17 @@ void check_contents(const judge::Image& image, const std::string& bytes) {
 
 /// Sets calls up as `judge` does. The sanitizers watch.
 void set_up_calls(const judge::Image& image) {
-  constexpr std::array<std::string_view, 4> frames{"c", "c-far", "pascal-far", "stdcall"};
+  const std::vector<std::string_view> frames =
+      image.bits == 64   ? std::vector<std::string_view>{"sysv", "ms"}
+      : image.bits == 32 ? std::vector<std::string_view>{"c", "stdcall"}
+                         : std::vector<std::string_view>{"c", "c-far", "pascal-far", "stdcall"};
   std::vector<std::uint8_t> memory = image.memory;
   for (const auto operation : {cases::Operation::mul, cases::Operation::xformvec}) {
     const cases::Variant variant{.operation = operation, .format = cases::q16_16};
     const std::vector<std::uint32_t> in(words_in(variant), 0x00018000);
     std::vector<std::uint32_t> out(words_out(variant));
     for (const std::string_view name : frames) {
-      if (image.bits == 32 && name.ends_with("far")) continue;
-      const judge::Frame frame = judge::frame_named(name, image.bits);
+      const judge::Frame frame = judge::frame_named(name, image.bits, variant);
       judge::Call call(image, frame, variant, image.code_segment);
       judge::Registers registers;
       call.enter(memory.data(), registers, in, 1);

@@ -4,9 +4,9 @@
 /// uses.
 ///
 /// Each is a function of the domain `D` that it computes in: Words for numbers, symbolic::Domain
-/// for all numbers at once. Operands are `bits` wide, at most 32. Counts are numbers in every
-/// domain. Flags that the manual leaves undefined are marked so; the caller preserves flags that an
-/// instruction does not change.
+/// for all numbers at once. Operands are `bits` wide, at most 32, in the domain of terms 64. Counts
+/// are numbers in every domain. Flags that the manual leaves undefined are marked so; the caller
+/// preserves flags that an instruction does not change.
 #pragma once
 
 #include <cstdint>
@@ -112,9 +112,15 @@ X86MODEL_INLINE Result<D> shr(D d, Value<D> a, int count, int bits) {
   return shrd(d, a, d.constant(0, bits), count, bits);
 }
 
-/// SAR, 0 < count < 32. If count >= bits, CF is the sign.
+/// SAR, 0 < count < 32, or 64 in 64-bit code. If count >= bits, CF is the sign.
 template <class D>
 X86MODEL_INLINE Result<D> sar(D d, Value<D> a, int count, int bits) {
+  if constexpr (D::widest == 64) {
+    if (bits == 64) {
+      const Value<D> value = d.sign_extend(d.extract(a, count, bits - count), bits - count, bits);
+      return shifted(d, value, bits, count, d.bit(a, count - 1), d.truth(false));
+    }
+  }
   const Wide<D> wide = d.sign_extend(a, bits, 64);
   return shifted(d, d.extract(wide, count, bits), bits, count, d.bit(wide, count - 1),
                  d.truth(false));

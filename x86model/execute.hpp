@@ -180,8 +180,8 @@ X86MODEL_INLINE Outcome execute(const I& instruction, M& m) {
     m.flags = op == Mnemonic::neg ? result.flags : result.flags.keeping(CF, m.flags);
   } else if constexpr (is_shift(op) || is_double_shift(op)) {
     const auto& amount = is_shift(op) ? second : instruction.operands[2];
-    // The 386 takes the count modulo 32; a count of 0 changes nothing, not even flags.
-    const int count = static_cast<int>(m.count_in(amount) & 31U);
+    // The count is taken modulo 32, or 64 in 64-bit code; one of 0 changes nothing, not even flags.
+    const int count = static_cast<int>(m.count_in(amount) & (bits == 64 ? 63U : 31U));
     if (!m.read(first, size, a) || !m.read(second, size, b)) return Outcome::bad_address;
     if (count == 0) return Outcome::proceeds;
     const auto result = shift<op>(d, a, b, count, bits);

@@ -60,7 +60,7 @@ inline constexpr std::size_t mnemonic_count = static_cast<std::size_t>(Mnemonic:
 /// Operand size in terms of the machine word: 16 and 32 bits at full width, 8 and 16 at half width.
 /// Bytes exist only at full width. A byte register has the number of its encoding: AL, CL, DL and
 /// BL share those of ax, cx, dx and bx; AH, CH, DH and BH follow.
-enum class Size : std::uint8_t { none, byte, word, dword };
+enum class Size : std::uint8_t { none, byte, word, dword, qword };  // the last for users' code
 
 /// How a constant scales with the width of the machine word.
 enum class Scaling : std::uint8_t {

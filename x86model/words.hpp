@@ -25,6 +25,7 @@ struct Words {
   using Wide = std::uint64_t;
   using Truth = bool;
   using Flags = x86model::Flags;
+  static constexpr int widest = 32;  ///< the bits of a Value
 
   X86MODEL_INLINE Truth truth(bool value) const { return value; }
   X86MODEL_INLINE Value constant(std::uint32_t value, int /*bits*/) const { return value; }

@@ -120,7 +120,7 @@ std::string rules_line(const check::Rules& rules, Rounding rounding) {
 
 judge::Subject subject_of(const JudgeOptions& options, const judge::Image& image,
                           const cases::Variant& variant) {
-  judge::Subject subject{image, judge::frame_named(options.frame, image.bits), variant};
+  judge::Subject subject{image, judge::frame_named(options.frame, image.bits, variant), variant};
   judge::expect_fit(subject.frame, variant, image.bits);
   return subject;
 }
@@ -144,8 +144,8 @@ cases::Operation ask_operation(const JudgeOptions& options, const judge::Image& 
   for (const cases::Operation operation : asked) {
     if (!cases::is_in_format(operation, format)) continue;
     judge::VerdictOptions trial;
-    judge::Subject subject{image, judge::frame_named(options.frame, image.bits),
-                           judged_variant(operation, format)};
+    const cases::Variant variant = judged_variant(operation, format);
+    judge::Subject subject{image, judge::frame_named(options.frame, image.bits, variant), variant};
     try {
       judge::expect_fit(subject.frame, subject.variant, image.bits);
     } catch (const support::UsageError&) {
@@ -201,6 +201,10 @@ bool print_inspection(const judge::Subject& subject) {
 }
 
 void print_clocks(const judge::Subject& subject) {
+  if (subject.image.bits == 64) {
+    std::cout << "\nclocks are not counted: none of the four processors has 64-bit code\n";
+    return;
+  }
   const std::string reason = judge::absence_on_unicorn();
   std::cout << '\n'
             << (reason.empty() ? clocks_text(judge::count_clocks(subject))
@@ -226,10 +230,9 @@ bool fails_widely(const judge::Verdict& verdict) {
 /// Returns the exit status. If the routine fails, it may be code that the machine misreads.
 int status_of(bool right, const judge::Image& image, const judge::Verdict& verdict) {
   if (right) return 0;
-  if (judge::looks_like_64_bits(image)) {
+  if (image.bits < 64 && judge::looks_like_64_bits(image)) {
     std::cout << fmt::format(
-        "\nThe code looks like 64-bit code, and ran as {}-bit code: compile with -m32.\n",
-        image.bits);
+        "\nThe code looks like 64-bit code, and ran as {}-bit code: add --bits 64.\n", image.bits);
   } else if (image.has_assumed_bits && fails_widely(verdict)) {
     std::cout << "\nThe code ran as 16-bit code: add --bits 32 if it has 32 bits.\n";
   }

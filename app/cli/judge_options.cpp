@@ -52,9 +52,10 @@ void JudgeOptions::add_to(CLI::App& command) {
           "--against-listing is given")
       ->check(not_empty());
   command
-      .add_option("--frame", frame,
-                  "calling convention: c, c-far, pascal, pascal-far, stdcall, or registers such as "
-                  "'eax, ebx -> eax' or 'dx:ax, cx:bx -> dx:ax keeps si'")
+      .add_option(
+          "--frame", frame,
+          "calling convention: c, c-far, pascal, pascal-far, stdcall, of 64-bit code sysv (as c) "
+          "or ms, or registers such as 'eax, ebx -> eax' or 'dx:ax, cx:bx -> dx:ax keeps si'")
       ->check(not_empty())
       ->capture_default_str();
   command
@@ -66,9 +67,9 @@ void JudgeOptions::add_to(CLI::App& command) {
   command
       .add_option(
           "--bits", bits,
-          "width of the code, 16 or 32; by default 32 for an ELF object, what BITS says for "
+          "width of the code, 16, 32 or 64; by default that of an ELF object, what BITS says for "
           "NASM source, else 16")
-      ->check(CLI::IsMember({16, 32}));
+      ->check(CLI::IsMember({16, 32, 64}));
   command
       .add_option("--format", format,
                   "format of the words: qW_F signed or uW_F unsigned, 8, 16, 32 or 64 bits in all")
@@ -118,8 +119,8 @@ start no program. It runs on this processor, or on Unicorn if the processor cann
 
 --frame says where the operands and the result are. Name the registers in the order of the
 operands, a pair with its upper half first, a pointer in brackets. In the stack conventions, the
-routine must preserve (E)BP, (E)SI and (E)DI, and also EBX in 32-bit code. After registers, `keeps`
-names those that it must preserve. It must always leave the direction flag clear, the x87 stack
+routine must preserve (E)BP, (E)SI and (E)DI, and also EBX in 32-bit code; in 64-bit code RBX, RBP and
+R12 to R15, and for ms RSI and RDI too. After registers, `keeps` names those that it must preserve. It must always leave the direction flag clear, the x87 stack
 empty, and DS, SS and the x87's control word as they were.
   mul, div, add, sub  two numbers          -> a number
   sqrt                a number             -> a number
@@ -133,6 +134,7 @@ or input, 130 if interrupted.
 Examples:
   fixproof judge fixmul.asm --as mul --frame 'eax, ebx -> eax' --bits 32
   fixproof judge game.exe --as mul --at 0:1f40 --frame c-far
+  fixproof judge mine.o --symbol my_mul --as mul --overflow wrap --prove
   fixproof judge doom.o --symbol FixedDiv --as div --rule doom
   fixproof judge fixed.o --symbol fix_div --as div --rounding toward-zero
   fixproof judge old.com --at 1a0h --as '?' --frame 'dx:ax, cx:bx -> dx:ax'

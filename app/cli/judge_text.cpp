@@ -63,7 +63,7 @@ std::string broken_text(unsigned broken, int bits) {
   const auto add = [&text](const std::string& what) {
     text += (text.empty() ? "" : " and ") + what;
   };
-  const unsigned registers = broken & ((1U << x86model::register_count) - 1);
+  const unsigned registers = broken & ((1U << judge::register_count) - 1);
   if (registers != 0) add("does not keep " + register_names(registers, bits));
   if ((broken & Call::sets_direction) != 0) add("leaves the direction flag set");
   if ((broken & Call::fills_x87) != 0) add("leaves values on the x87 stack");
@@ -76,12 +76,9 @@ std::string broken_text(unsigned broken, int bits) {
 
 std::string register_names(unsigned mask, int bits) {
   std::string text;
-  for (unsigned r = 0; r < x86model::register_count; ++r) {
+  for (std::size_t r = 0; r < judge::register_count; ++r) {
     if ((mask >> r & 1U) == 0) continue;
-    text +=
-        fmt::format("{}{}", text.empty() ? "" : ", ",
-                    x86model::name_of(static_cast<x86model::Register>(r),
-                                      bits == 16 ? x86model::Size::word : x86model::Size::dword));
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", name_of(judge::whole_register(r, bits)));
   }
   return text.empty() ? "none" : text;
 }
@@ -141,10 +138,7 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
   text += fmt::format("changes registers {}", register_names(verdict.changed, bits));
   if (!subject.frame.kept.empty()) {
     unsigned kept = 0;
-    for (const auto& name : subject.frame.kept) {
-      const auto number = static_cast<unsigned>(name.number);
-      kept |= 1U << (name.size == x86model::Size::byte ? number % 4 : number);
-    }
+    for (const auto& name : subject.frame.kept) kept |= 1U << name.holder();
     text += fmt::format("; must keep {}", register_names(kept, bits));
   }
   text += '\n';

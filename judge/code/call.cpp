@@ -7,7 +7,6 @@ namespace fixproof::judge {
 namespace {
 
 using x86model::Register;
-using x86model::Size;
 
 constexpr std::size_t sp_number = static_cast<std::size_t>(Register::sp);
 
@@ -24,15 +23,14 @@ std::uint64_t number_at(std::span<const std::uint32_t> words, std::size_t index,
 /// Returns where the results are that are in registers.
 std::vector<Place> places_of_results(const Frame& frame, int result_bits, int code_bits) {
   if (!frame.on_stack) return frame.out;
-  const Size size = code_bits == 16 ? Size::word : Size::dword;
-  const RegisterName ax{Register::ax, size};
+  const RegisterName ax = whole_register(0, code_bits);
   if (result_bits <= code_bits) return {{{ax}}};
-  return {{{{Register::dx, size}, ax}}};
+  return {{{{Register::dx, ax.size}, ax}}};
 }
 
 }  // namespace
 
-void store(std::uint8_t* to, std::uint32_t value, int bytes) {
+void store(std::uint8_t* to, std::uint64_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) to[i] = static_cast<std::uint8_t>(value >> (8 * i) & 0xFFU);
 }
 
@@ -42,24 +40,14 @@ std::uint32_t fetch(const std::uint8_t* from, int bytes) {
   return value;
 }
 
-std::uint32_t Registers::read(const RegisterName& name) const {
-  const auto number = static_cast<std::size_t>(name.number);
-  if (name.size == Size::byte) return general.at(number % 4) >> (number < 4 ? 0U : 8U) & 0xFFU;
-  const std::uint32_t whole = general.at(number);
-  return name.size == Size::word ? whole & 0xFFFFU : whole;
+std::uint64_t Registers::read(const RegisterName& name) const {
+  return general.at(name.holder()) >> name.shift() & ~std::uint64_t{0} >> (64 - bits_of(name));
 }
 
-void Registers::write(const RegisterName& name, std::uint32_t value) {
-  const auto number = static_cast<std::size_t>(name.number);
-  if (name.size == Size::byte) {
-    std::uint32_t& whole = general.at(number % 4);
-    const unsigned shift = number < 4 ? 0U : 8U;
-    whole = (whole & ~(0xFFU << shift)) | (value & 0xFFU) << shift;
-  } else if (name.size == Size::word) {
-    general.at(number) = (general.at(number) & 0xFFFF0000U) | (value & 0xFFFFU);
-  } else {
-    general.at(number) = value;
-  }
+void Registers::write(const RegisterName& name, std::uint64_t value) {
+  const std::uint64_t part = ~std::uint64_t{0} >> (64 - bits_of(name)) << name.shift();
+  std::uint64_t& whole = general.at(name.holder());
+  whole = (whole & ~part) | (value << name.shift() & part);
 }
 
 Call::Call(const Image& image, const Frame& frame, const cases::Variant& variant,
@@ -81,10 +69,11 @@ Call::Call(const Image& image, const Frame& frame, const cases::Variant& variant
     data += static_cast<std::uint32_t>(p.numbers) * static_cast<std::uint32_t>(p.bits) / 8;
     if (frame.on_stack) bytes += static_cast<std::uint32_t>(slots_of(p) * slot_);
   }
-  // The i386 System V ABI wants ESP + 4 to be a multiple of 16 where a routine begins; compilers
-  // rely on it for vectors.
+  // The System V ABIs want the stack pointer to be a multiple of 16 before a call; compilers rely
+  // on it for vectors. Windows leaves the callee 32 bytes above its return address.
   bottom_ = image.stack_top;
-  if (image.bits == 32) bottom_ -= (image.stack_top - bytes) % 16;
+  if (image.bits >= 32) bottom_ -= (image.stack_top - bytes) % 16;
+  if (image.bits == 64) bottom_ -= bytes_of_home;
 }
 
 int Call::slots_of(const Parameter& p) const {
@@ -92,7 +81,7 @@ int Call::slots_of(const Parameter& p) const {
   return std::max(p.bits / (8 * slot_), 1);
 }
 
-void Call::push(std::uint8_t* memory, std::uint32_t value, int bytes) {
+void Call::push(std::uint8_t* memory, std::uint64_t value, int bytes) {
   top_ -= static_cast<std::uint32_t>(bytes);
   store(memory + image_.data_at(top_), value, bytes);
 }
@@ -106,7 +95,7 @@ void Call::push_parameter(std::uint8_t* memory, std::size_t index,
   }
   const std::uint64_t value = number_at(words, first_word_[index], p);
   for (int slot = slots_of(p) - 1; slot >= 0; --slot) {
-    push(memory, static_cast<std::uint32_t>(value >> (8 * slot_ * slot)), slot_);
+    push(memory, value >> (8 * slot_ * slot), slot_);
   }
 }
 
@@ -130,8 +119,9 @@ void Call::load_registers(Registers& registers, std::span<const std::uint32_t> w
     std::uint64_t value =
         place.is_pointer ? data_offsets_[i] : number_at(words, first_word_[i], parameters_[i]);
     for (std::size_t part = place.parts.size(); part-- > 0;) {
-      registers.write(place.parts[part], static_cast<std::uint32_t>(value));
-      value >>= static_cast<unsigned>(bits_of(place.parts[part]));
+      const int bits = bits_of(place.parts[part]);
+      registers.write(place.parts[part], value);
+      value = bits == 64 ? 0 : value >> bits;
     }
   }
 }
@@ -139,7 +129,11 @@ void Call::load_registers(Registers& registers, std::span<const std::uint32_t> w
 void Call::enter(std::uint8_t* memory, Registers& registers, std::span<const std::uint32_t> words,
                  std::uint64_t number) {
   cases::Draw draw(386, number);
-  for (std::uint32_t& r : registers.general) r = static_cast<std::uint32_t>(draw.bits());
+  for (std::uint64_t& r :
+       std::span(registers.general).first(image_.bits == 64 ? register_count : 8)) {
+    r = draw.bits();
+    if (image_.bits < 64) r = static_cast<std::uint32_t>(r);
+  }
   registers.flags = static_cast<std::uint32_t>(draw.bits()) & x86model::arithmetic_flags;
   put_operands(memory, words, draw);
   top_ = bottom_;
@@ -153,7 +147,7 @@ void Call::enter(std::uint8_t* memory, Registers& registers, std::span<const std
   push(memory, image_.exit, slot_);
   load_registers(registers, words);
   if (image_.bits == 32) registers.general[sp_number] = 0;
-  registers.write({Register::sp, image_.bits == 32 ? Size::dword : Size::word}, top_);
+  registers.write(whole_register(sp_number, image_.bits), top_);
   entered_ = registers;
 }
 
@@ -166,7 +160,8 @@ void Call::leave(const std::uint8_t* memory, const Registers& registers,
   for (const Place& place : results_) {
     std::uint64_t value = 0;
     for (const RegisterName& part : place.parts) {
-      value = value << static_cast<unsigned>(bits_of(part)) | registers.read(part);
+      const int bits = bits_of(part);
+      value = (bits == 64 ? 0 : value << bits) | registers.read(part);
     }
     const int bits = variant_.format.word_bits;
     if (bits < 64) value &= (std::uint64_t{1} << bits) - 1;
@@ -189,12 +184,9 @@ void Call::take_results(const std::uint8_t* memory, std::span<std::uint32_t> wor
 unsigned Call::broken(const Registers& left) const {
   unsigned mask = 0;
   for (const RegisterName& name : frame_.kept) {
-    if (left.read(name) == entered_.read(name)) continue;
-    const auto number = static_cast<unsigned>(name.number);
-    mask |= 1U << (name.size == Size::byte ? number % 4 : number);
+    if (left.read(name) != entered_.read(name)) mask |= 1U << name.holder();
   }
-  const RegisterName sp{Register::sp, image_.bits == 32 ? Size::dword : Size::word};
-  if (left.read(sp) != popped_) mask |= 1U << sp_number;
+  if (left.read(whole_register(sp_number, image_.bits)) != popped_) mask |= 1U << sp_number;
   constexpr machine_code::X87 fresh;
   if ((left.flags & direction_flag) != 0) mask |= sets_direction;
   if (left.x87.tags != fresh.tags) mask |= fills_x87;

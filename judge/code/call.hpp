@@ -17,14 +17,19 @@ namespace fixproof::judge {
 inline constexpr std::uint32_t direction_flag = 0x400;
 inline constexpr std::uint32_t observed_flags = x86model::arithmetic_flags | direction_flag;
 
-struct Registers {
-  std::array<std::uint32_t, x86model::register_count> general{};  ///< in the order of encoding
-  std::uint32_t flags = 0;                                        ///< of observed_flags
-  machine_code::X87 x87{};                                        ///< only after a call
-  bool has_own_segments = true;  ///< only after a call: whether DS and SS are those of the image
+/// What a callee of Windows may use above its return address, in bytes.
+inline constexpr std::uint32_t bytes_of_home = 32;
 
-  [[nodiscard]] std::uint32_t read(const RegisterName& name) const;
-  void write(const RegisterName& name, std::uint32_t value);
+struct Registers {
+  std::array<std::uint64_t, register_count> general{};  ///< in the order of encoding
+  std::uint32_t flags = 0;                              ///< of observed_flags
+  machine_code::X87 x87{};                              ///< only after a call
+  /// Only after a call: whether DS and SS are those of the image.
+  bool has_own_segments = true;
+
+  [[nodiscard]] std::uint64_t read(const RegisterName& name) const;
+  /// In 64-bit code, writing 32 bits leaves the upper half as it is: noise.
+  void write(const RegisterName& name, std::uint64_t value);
 };
 
 enum class End : std::uint8_t {
@@ -64,10 +69,10 @@ class Call {
   void leave(const std::uint8_t* memory, const Registers& registers,
              std::span<std::uint32_t> words) const;
   /// Bits of broken(). Every convention forbids what they say.
-  static constexpr unsigned sets_direction = 1U << 8U;   ///< DF is set
-  static constexpr unsigned fills_x87 = 1U << 9U;        ///< the x87 stack is not empty
-  static constexpr unsigned controls_x87 = 1U << 10U;    ///< the x87 has another control word
-  static constexpr unsigned moves_segments = 1U << 11U;  ///< DS or SS is another one
+  static constexpr unsigned sets_direction = 1U << 16U;  ///< DF is set
+  static constexpr unsigned fills_x87 = 1U << 17U;       ///< the x87 stack is not empty
+  static constexpr unsigned controls_x87 = 1U << 18U;    ///< the x87 has another control word
+  static constexpr unsigned moves_segments = 1U << 19U;  ///< DS or SS is another one
   /// Returns the registers that the call should have preserved and did not, with bit r for register
   /// r in the order of encoding, and the bits above. Bit 4 is set if the stack pointer is not what
   /// the convention says.
@@ -83,7 +88,7 @@ class Call {
   void take_results(const std::uint8_t* memory, std::span<std::uint32_t> words) const;
   /// Returns the number of words that a parameter takes on the stack.
   [[nodiscard]] int slots_of(const Parameter& p) const;
-  void push(std::uint8_t* memory, std::uint32_t value, int bytes);
+  void push(std::uint8_t* memory, std::uint64_t value, int bytes);
   void push_parameter(std::uint8_t* memory, std::size_t index,
                       std::span<const std::uint32_t> words);
 
@@ -102,8 +107,8 @@ class Call {
   Registers entered_;
 };
 
-/// Writes or reads a little-endian number of at most 4 bytes.
-void store(std::uint8_t* to, std::uint32_t value, int bytes);
+/// Writes a little-endian number of at most 8 bytes, or reads one of at most 4.
+void store(std::uint8_t* to, std::uint64_t value, int bytes);
 std::uint32_t fetch(const std::uint8_t* from, int bytes);
 
 }  // namespace fixproof::judge

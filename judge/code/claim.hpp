@@ -25,6 +25,8 @@ struct Claim {
   std::string may_fault{};  ///< a Boolean: whether #DE is right
   /// A Boolean: whether the word that replaces {} is right.
   std::string is_right{};
+  /// Booleans of which one always holds: each is a question of its own, which takes less time.
+  std::vector<std::string> cases{"true"};
 };
 
 /// Returns the claim for operands a, b and c. Returns nothing if the operation is not mul, div,

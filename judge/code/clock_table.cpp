@@ -78,17 +78,17 @@ Range address_wait(const TimedStep& step) {
       m.starts_with("push") || m.starts_with("pop") || m == "call" || m.starts_with("ret");
   if (uses_stack && (written & sp) != 0) return {1, 1};
   for (const RegisterName& base : step.line->bases) {
-    if ((written >> static_cast<unsigned>(base.number) & 1U) != 0) return {1, 1};
+    if ((written >> base.holder() & 1U) != 0) return {1, 1};
   }
   return {0, 0};
 }
 
-std::uint32_t part(std::uint32_t value, int bits) {
-  return bits == 32 ? value : value & ((1U << static_cast<unsigned>(bits)) - 1);
+std::uint32_t part(std::uint64_t value, int bits) {
+  return static_cast<std::uint32_t>(value & ((std::uint64_t{1} << bits) - 1));
 }
 
 /// The operand of a one-operand instruction.
-std::uint32_t operand_value(const TimedStep& step) {
+std::uint64_t operand_value(const TimedStep& step) {
   const TimedLine& line = *step.line;
   if (line.shape == "m") return step.memory;
   return step.registers.read(line.operands.front().reg);
@@ -126,7 +126,7 @@ std::optional<Range> row_clocks(Cpu cpu, const TimedStep& step) {
   if (cell.max == 0) return std::nullopt;
   std::uint32_t count = 0;
   if (cell.per_count > 0) {
-    count = line.shape.ends_with('c') ? step.registers.general[1] & 0xFFU : line.immediate;
+    count = line.shape.ends_with('c') ? part(step.registers.general[1], 8) : line.immediate;
     if (cpu != Cpu::i8088) count &= 31U;
   }
   std::uint32_t more = cell.per_count * count;

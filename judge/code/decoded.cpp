@@ -28,18 +28,28 @@ bool is_segment(ZydisRegister reg) { return ZydisRegisterGetClass(reg) == ZYDIS_
 
 Operand memory_operand(const ZydisDecodedOperand& from, int address_bits) {
   Operand to{.kind = Operand::Kind::memory,
-             .value = static_cast<std::uint32_t>(from.mem.disp.value),
+             .value = static_cast<std::uint64_t>(from.mem.disp.value),
              .address_bits = address_bits};
   for (const ZydisRegister reg : {from.mem.base, from.mem.index}) {
     if (reg == ZYDIS_REGISTER_NONE) continue;
     const auto base = name_of(reg);
-    if (!base || (reg == from.mem.index && from.mem.scale > 1)) return {};
+    if (!base) return {};
     to.bases.push_back(*base);
   }
+  if (from.mem.index != ZYDIS_REGISTER_NONE) to.scale = from.mem.scale;
   return to;
 }
 
-Operand operand_of(const ZydisDecodedInstruction& i, const ZydisDecodedOperand& from) {
+/// Memory at a distance from the next instruction.
+Operand relative_operand(const ZydisDecodedInstruction& i, const ZydisDecodedOperand& from,
+                         std::uint32_t at) {
+  ZyanU64 address = 0;
+  ZydisCalcAbsoluteAddress(&i, &from, at, &address);
+  return {.kind = Operand::Kind::memory, .value = address, .address_bits = i.address_width};
+}
+
+Operand operand_of(const ZydisDecodedInstruction& i, const ZydisDecodedOperand& from,
+                   std::uint32_t at) {
   Operand to;
   switch (from.type) {
     case ZYDIS_OPERAND_TYPE_REGISTER:
@@ -51,11 +61,12 @@ Operand operand_of(const ZydisDecodedInstruction& i, const ZydisDecodedOperand& 
       }
       break;
     case ZYDIS_OPERAND_TYPE_MEMORY:
-      to = memory_operand(from, i.address_width);
+      to = from.mem.base == ZYDIS_REGISTER_RIP ? relative_operand(i, from, at)
+                                               : memory_operand(from, i.address_width);
       break;
     case ZYDIS_OPERAND_TYPE_IMMEDIATE:
       to.kind = Operand::Kind::immediate;
-      to.value = static_cast<std::uint32_t>(from.imm.value.u);
+      to.value = from.imm.value.u;
       break;
     default:
       break;
@@ -65,10 +76,7 @@ Operand operand_of(const ZydisDecodedInstruction& i, const ZydisDecodedOperand& 
 }
 
 /// AH to BH count as parts of AX to BX.
-unsigned bit_of(const RegisterName& reg) {
-  const auto number = static_cast<unsigned>(reg.number);
-  return 1U << (reg.size == Size::byte ? number % 4 : number);
-}
+unsigned bit_of(const RegisterName& reg) { return 1U << reg.holder(); }
 
 unsigned registers_written(const ZydisDecodedInstruction& i, const Operands& operands) {
   unsigned written = 0;
@@ -167,9 +175,13 @@ std::string mnemonic_of(const ZydisDecodedInstruction& i) {
 
 Decoded decoded(std::span<const std::uint8_t> bytes, std::uint32_t at, int bits) {
   ZydisDecoder decoder;
-  const bool is_16 = bits == 16;
-  ZydisDecoderInit(&decoder, is_16 ? ZYDIS_MACHINE_MODE_REAL_16 : ZYDIS_MACHINE_MODE_LEGACY_32,
-                   is_16 ? ZYDIS_STACK_WIDTH_16 : ZYDIS_STACK_WIDTH_32);
+  ZydisDecoderInit(&decoder,
+                   bits == 16   ? ZYDIS_MACHINE_MODE_REAL_16
+                   : bits == 32 ? ZYDIS_MACHINE_MODE_LEGACY_32
+                                : ZYDIS_MACHINE_MODE_LONG_64,
+                   bits == 16   ? ZYDIS_STACK_WIDTH_16
+                   : bits == 32 ? ZYDIS_STACK_WIDTH_32
+                                : ZYDIS_STACK_WIDTH_64);
   ZydisDecodedInstruction i{};
   Operands operands{};
   Decoded result;
@@ -201,7 +213,7 @@ Decoded decoded(std::span<const std::uint8_t> bytes, std::uint32_t at, int bits)
         o.type == ZYDIS_OPERAND_TYPE_REGISTER &&
         (o.reg.value == ZYDIS_REGISTER_FS || o.reg.value == ZYDIS_REGISTER_GS);
     result.needs_386 |= is_386_segment;
-    result.operands.push_back(operand_of(i, o));
+    result.operands.push_back(operand_of(i, o, at));
   }
   // AAM and AAD by ten are written without their operand.
   const bool is_decimal = i.mnemonic == ZYDIS_MNEMONIC_AAM || i.mnemonic == ZYDIS_MNEMONIC_AAD;

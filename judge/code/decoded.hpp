@@ -21,13 +21,14 @@ struct Operand {
     segment,
     immediate,
     memory,
-    other,  ///< such as a far pointer, a register of the x87 or a scaled index
+    other,  ///< such as a far pointer or a register of the x87
   };
 
   Kind kind = Kind::other;
-  RegisterName reg{};                          ///< if it is a register
-  std::uint32_t value = 0;                     ///< immediate or displacement
-  std::vector<RegisterName> bases{};           ///< registers; their sum with `value` is the address
+  RegisterName reg{};                 ///< if it is a register
+  std::uint64_t value = 0;            ///< immediate or displacement, sign-extended
+  std::vector<RegisterName> bases{};  ///< registers; their sum with `value` is the address
+  int scale = 1;                      ///< what the last of two bases, or the only one, is times
   x86model::Size size = x86model::Size::none;  ///< set by symbolic.cpp, for x86model/execute.hpp
   int bits = 0;                                ///< its own size
   int address_bits = 0;                        ///< of memory
@@ -40,7 +41,7 @@ struct Decoded {
   std::optional<std::uint32_t> target;  ///< of a near jump or call, if it is fixed
   x86model::FlagUse flags;
   std::uint32_t bytes = 0;
-  int width = 0;                    ///< of its operands; of a byte's, 16 or 32 as the prefix says
+  int width = 0;                    ///< of its operands; of a byte's, as the prefix says
   std::uint8_t opcode = 0;          ///< the byte after the prefixes and 0F
   int prefixes = 0;                 ///< of any kind
   int components = 0;               ///< as a 386 counts them at the target of a jump
@@ -56,7 +57,7 @@ struct Decoded {
 
 /// Decodes the first instruction of `bytes`.
 /// @param at   its offset in the code segment
-/// @param bits 16 or 32, the width of the code
+/// @param bits 16, 32 or 64, the width of the code
 Decoded decoded(std::span<const std::uint8_t> bytes, std::uint32_t at, int bits);
 
 /// Tells whether it is a conditional jump on flags.

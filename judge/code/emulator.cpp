@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdlib>
 #include <new>
+#include <span>
 #include <utility>
 
 #include "judge/code/machine.hpp"
@@ -17,10 +18,17 @@ namespace {
 
 using machine_code::EmulatorError;
 
-/// The registers in the order of encoding, then the flags.
-constexpr std::array register_numbers{UC_X86_REG_EAX, UC_X86_REG_ECX, UC_X86_REG_EDX,
-                                      UC_X86_REG_EBX, UC_X86_REG_ESP, UC_X86_REG_EBP,
-                                      UC_X86_REG_ESI, UC_X86_REG_EDI, UC_X86_REG_EFLAGS};
+/// The flags, then the registers in the order of encoding: of 16- and 32-bit code, and of 64-bit.
+constexpr std::array narrow_registers{UC_X86_REG_EFLAGS, UC_X86_REG_EAX, UC_X86_REG_ECX,
+                                      UC_X86_REG_EDX,    UC_X86_REG_EBX, UC_X86_REG_ESP,
+                                      UC_X86_REG_EBP,    UC_X86_REG_ESI, UC_X86_REG_EDI};
+constexpr std::array wide_registers{
+    UC_X86_REG_EFLAGS, UC_X86_REG_RAX, UC_X86_REG_RCX, UC_X86_REG_RDX, UC_X86_REG_RBX,
+    UC_X86_REG_RSP,    UC_X86_REG_RBP, UC_X86_REG_RSI, UC_X86_REG_RDI, UC_X86_REG_R8,
+    UC_X86_REG_R9,     UC_X86_REG_R10, UC_X86_REG_R11, UC_X86_REG_R12, UC_X86_REG_R13,
+    UC_X86_REG_R14,    UC_X86_REG_R15};
+
+uc_mode mode_of(int bits) { return bits == 16 ? UC_MODE_16 : bits == 32 ? UC_MODE_32 : UC_MODE_64; }
 
 /// A call that executes more basic blocks than this counts as endless; a traced call, more steps.
 constexpr std::uint64_t max_blocks = 2'000'000;
@@ -54,7 +62,7 @@ class Emulator final : public Machine {
     if (!memory_) throw std::bad_alloc();
     std::copy(image.memory.begin(), image.memory.end(), memory_.get());
     memory_.get()[image.code_at(image.exit)] = 0x90;  // NOP, for the hook
-    check(uc_open(UC_ARCH_X86, image.bits == 16 ? UC_MODE_16 : UC_MODE_32, &engine_), "open");
+    check(uc_open(UC_ARCH_X86, mode_of(image.bits), &engine_), "open");
     check(uc_mem_map_ptr(engine_, 0, bytes_, UC_PROT_ALL, memory_.get()), "memory");
     if (image.bits == 16) {
       write(UC_X86_REG_CS, image.code_segment);
@@ -84,10 +92,14 @@ class Emulator final : public Machine {
     registers = read_registers();
     registers.x87 = {read_word(UC_X86_REG_FPCW), read_word(UC_X86_REG_FPTAG)};
     registers.has_own_segments =
-        image_.bits == 32 || (read_word(UC_X86_REG_DS) == image_.data_segment &&
-                              read_word(UC_X86_REG_SS) == image_.data_segment);
+        image_.bits > 16 || (read_word(UC_X86_REG_DS) == image_.data_segment &&
+                             read_word(UC_X86_REG_SS) == image_.data_segment);
     std::uint64_t at = 0;
-    check(uc_reg_read(engine_, image_.bits == 16 ? UC_X86_REG_IP : UC_X86_REG_EIP, &at),
+    check(uc_reg_read(engine_,
+                      image_.bits == 16   ? UC_X86_REG_IP
+                      : image_.bits == 32 ? UC_X86_REG_EIP
+                                          : UC_X86_REG_RIP,
+                      &at),
           "registers");
     // Every call starts with the same segments and floating point, and without the exception that
     // ended the last one.
@@ -153,36 +165,39 @@ class Emulator final : public Machine {
     write(UC_X86_REG_MXCSR, 0x1F80);
   }
 
-  template <class Values>
-  static auto lists(Values& values) {
-    std::array<int, register_numbers.size()> numbers{};
-    std::array<void*, register_numbers.size()> places{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      numbers.at(i) = register_numbers.at(i);
-      places.at(i) = &values.at(i);
-    }
-    return std::pair(numbers, places);
+  /// Values of registers, and where Unicorn finds them.
+  struct Values {
+    std::array<std::uint64_t, wide_registers.size()> values{};
+    std::array<int, wide_registers.size()> numbers{};
+    std::array<void*, wide_registers.size()> places{};
+    int count = 0;
+  };
+  void list(Values& to) const {
+    const auto known = image_.bits == 64 ? std::span<const uc_x86_reg>(wide_registers)
+                                         : std::span<const uc_x86_reg>(narrow_registers);
+    std::copy(known.begin(), known.end(), to.numbers.begin());
+    std::transform(to.values.begin(), to.values.end(), to.places.begin(),
+                   [](std::uint64_t& value) { return &value; });
+    to.count = static_cast<int>(known.size());
   }
 
   Registers read_registers() {
-    std::array<std::uint32_t, register_numbers.size()> values{};
-    auto [numbers, places] = lists(values);
-    check(
-        uc_reg_read_batch(engine_, numbers.data(), places.data(), static_cast<int>(numbers.size())),
-        "registers");
+    Values read;
+    list(read);
+    check(uc_reg_read_batch(engine_, read.numbers.data(), read.places.data(), read.count),
+          "registers");
     Registers registers;
-    std::copy(values.begin(), values.end() - 1, registers.general.begin());
-    registers.flags = values.back() & observed_flags;
+    registers.flags = static_cast<std::uint32_t>(read.values.front()) & observed_flags;
+    std::copy(read.values.begin() + 1, read.values.end(), registers.general.begin());
     return registers;
   }
 
   void write_registers(const Registers& registers) {
-    std::array<std::uint32_t, register_numbers.size()> values{};
-    std::copy(registers.general.begin(), registers.general.end(), values.begin());
-    values.back() = 2U | registers.flags;  // bit 1 is always set
-    auto [numbers, places] = lists(values);
-    check(uc_reg_write_batch(engine_, numbers.data(), places.data(),
-                             static_cast<int>(numbers.size())),
+    Values written;
+    list(written);
+    written.values.front() = 2U | registers.flags;  // bit 1 is always set
+    std::copy(registers.general.begin(), registers.general.end(), written.values.begin() + 1);
+    check(uc_reg_write_batch(engine_, written.numbers.data(), written.places.data(), written.count),
           "registers");
   }
 

@@ -8,7 +8,6 @@
 
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
-#include "x86model/text.hpp"
 
 namespace fixproof::judge {
 
@@ -40,23 +39,23 @@ int bits_of(const Place& place) {
                          [](int sum, const RegisterName& r) { return sum + bits_of(r); });
 }
 
-RegisterName register_for_operand(std::string_view text) {
+RegisterName register_for_operand(std::string_view text, int code_bits) {
   const auto found = register_named(text);
-  // The number of SP is that of AH.
-  if (found && (found->number != Register::sp || found->size == Size::byte)) return *found;
+  const bool exists = found && (code_bits == 64 || found->is_legacy());
+  if (exists && found->holder() != static_cast<std::size_t>(Register::sp)) return *found;
   throw UsageError(
       fmt::format("--frame: {} is not a register for operands; choose one such as eax, bx or dl",
                   support::quoted(text)));
 }
 
-Place place_named(std::string_view text) {
+Place place_named(std::string_view text, int code_bits) {
   Place place;
   if (text.starts_with('[') && text.ends_with(']')) {
     place.is_pointer = true;
     text = trimmed(text.substr(1, text.size() - 2));
   }
   for (const std::string_view part : split(text, ':')) {
-    place.parts.push_back(register_for_operand(part));
+    place.parts.push_back(register_for_operand(part, code_bits));
   }
   if (place.parts.empty() || place.parts.size() > 2 ||
       (place.is_pointer && place.parts.size() > 1)) {
@@ -72,9 +71,8 @@ void expect_registers_of_their_own(const std::vector<Place>& places) {
   std::uint32_t taken = 0;  // two bits for each register: its two lower bytes
   for (const Place& place : places) {
     for (const RegisterName& part : place.parts) {
-      const auto number = static_cast<unsigned>(part.number);
-      const std::uint32_t bytes =
-          part.size == Size::byte ? (number < 4 ? 1U : 2U) << 2 * (number % 4) : 3U << 2 * number;
+      const unsigned bits_taken = part.size != Size::byte ? 3U : part.is_high_byte() ? 2U : 1U;
+      const std::uint32_t bytes = bits_taken << 2 * part.holder();
       if ((taken & bytes) != 0) {
         throw UsageError(
             fmt::format("--frame: {} is named twice; choose another register", name_of(part)));
@@ -84,18 +82,20 @@ void expect_registers_of_their_own(const std::vector<Place>& places) {
   }
 }
 
-Frame frame_of_registers(std::string_view text, std::size_t arrow) {
+Frame frame_of_registers(std::string_view text, std::size_t arrow, int bits) {
   Frame frame{.text = std::string(text), .on_stack = false};
   std::string_view results = text.substr(arrow + 2);
   constexpr std::string_view word = "keeps ";
   if (const std::size_t keeps = results.find(word); keeps != std::string_view::npos) {
     for (const auto part : split(results.substr(keeps + word.size()), ',')) {
-      frame.kept.push_back(register_for_operand(part));
+      frame.kept.push_back(register_for_operand(part, bits));
     }
     results = results.substr(0, keeps);
   }
-  for (const auto part : split(text.substr(0, arrow), ',')) frame.in.push_back(place_named(part));
-  for (const auto part : split(results, ',')) frame.out.push_back(place_named(part));
+  for (const auto part : split(text.substr(0, arrow), ',')) {
+    frame.in.push_back(place_named(part, bits));
+  }
+  for (const auto part : split(results, ',')) frame.out.push_back(place_named(part, bits));
   expect_registers_of_their_own(frame.in);
   expect_registers_of_their_own(frame.out);
   return frame;
@@ -114,45 +114,6 @@ std::vector<RegisterName> kept_by_convention(int bits) {
 
 }  // namespace
 
-std::string name_of(const RegisterName& name) {
-  return std::string(x86model::name_of(name.number, name.size));
-}
-
-int bits_of(const RegisterName& name) {
-  return name.size == Size::byte ? 8 : name.size == Size::word ? 16 : 32;
-}
-
-std::optional<RegisterName> register_named(std::string_view text) {
-  for (std::size_t r = 0; r < x86model::register_count; ++r) {
-    for (const Size size : {Size::byte, Size::word, Size::dword}) {
-      const RegisterName name{static_cast<Register>(r), size};
-      if (x86model::name_of(name.number, size) == text) return name;
-    }
-  }
-  return std::nullopt;
-}
-
-Frame frame_named(std::string_view text, int bits) {
-  const std::size_t arrow = text.find("->");
-  if (arrow != std::string_view::npos) return frame_of_registers(text, arrow);
-  Frame frame{.text = std::string(text)};
-  frame.kept = kept_by_convention(bits);
-  frame.is_far = text == "c-far" || text == "pascal-far";
-  frame.first_is_top = !text.starts_with("pascal");
-  frame.callee_pops = text == "stdcall" || !frame.first_is_top;
-  constexpr std::array<std::string_view, 5> names{"c", "c-far", "pascal", "pascal-far", "stdcall"};
-  if (std::find(names.begin(), names.end(), text) == names.end()) {
-    throw UsageError(fmt::format(
-        "--frame {}: choose c, c-far, pascal, pascal-far or stdcall, or name registers, such as "
-        "'eax, ebx -> eax'",
-        support::quoted(text)));
-  }
-  if (frame.is_far && bits == 32) {
-    throw UsageError(fmt::format("--frame {}: 32-bit code has near calls", text));
-  }
-  return frame;
-}
-
 std::vector<Parameter> parameters_of(const cases::Variant& v) {
   using cases::Operation;
   const int bits = v.format.word_bits;
@@ -169,6 +130,62 @@ std::vector<Parameter> parameters_of(const cases::Variant& v) {
   }
   return std::vector<Parameter>(cases::words_in(v.operation),
                                 {.bits = bits, .is_signed = v.format.is_signed});
+}
+
+namespace {
+
+/// The conventions of 64-bit code: operands in registers, in the order of the parameters.
+Frame frame_of_64_bits(std::string_view text, const cases::Variant& variant) {
+  const bool is_windows = text == "ms";
+  if (!is_windows && text != "c" && text != "sysv") {
+    throw UsageError(
+        fmt::format("--frame {}: choose sysv or ms for 64-bit code, or name registers, such as "
+                    "'edi, esi -> eax'",
+                    support::quoted(text)));
+  }
+  constexpr std::array<unsigned, 3> system_v{7, 6, 2};  // RDI, RSI, RDX
+  constexpr std::array<unsigned, 3> windows{1, 2, 8};   // RCX, RDX, R8
+  Frame frame{.text = std::string(is_windows ? "ms" : "sysv"), .on_stack = false};
+  const auto numbers = is_windows ? windows : system_v;
+  const auto parameters = parameters_of(variant);
+  bool returns = true;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& p = parameters[i];
+    const int bits = p.is_pointer || p.bits > 32 ? 64 : 32;
+    frame.in.push_back({{whole_register(numbers.at(i), bits)}, p.is_pointer});
+    returns = returns && !p.is_result;
+  }
+  if (returns) {
+    frame.out.push_back({{whole_register(0, variant.format.word_bits > 32 ? 64 : 32)}});
+  }
+  std::vector<unsigned> kept{3, 5, 12, 13, 14, 15};  // RBX, RBP, R12 to R15
+  if (is_windows) kept.insert(kept.end(), {6, 7});
+  for (const unsigned number : kept) frame.kept.push_back(whole_register(number, 64));
+  return frame;
+}
+
+}  // namespace
+
+Frame frame_named(std::string_view text, int bits, const cases::Variant& variant) {
+  const std::size_t arrow = text.find("->");
+  if (arrow != std::string_view::npos) return frame_of_registers(text, arrow, bits);
+  if (bits == 64) return frame_of_64_bits(text, variant);
+  Frame frame{.text = std::string(text)};
+  frame.kept = kept_by_convention(bits);
+  frame.is_far = text == "c-far" || text == "pascal-far";
+  frame.first_is_top = !text.starts_with("pascal");
+  frame.callee_pops = text == "stdcall" || !frame.first_is_top;
+  constexpr std::array<std::string_view, 5> names{"c", "c-far", "pascal", "pascal-far", "stdcall"};
+  if (std::find(names.begin(), names.end(), text) == names.end()) {
+    throw UsageError(fmt::format(
+        "--frame {}: choose c, c-far, pascal, pascal-far or stdcall, or name registers, such as "
+        "'eax, ebx -> eax'",
+        support::quoted(text)));
+  }
+  if (frame.is_far && bits == 32) {
+    throw UsageError(fmt::format("--frame {}: 32-bit code has near calls", text));
+  }
+  return frame;
 }
 
 namespace {

@@ -2,28 +2,15 @@
 /// Calling conventions: where a routine finds its operands and leaves its results.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "judge/code/image.hpp"
+#include "judge/code/register_name.hpp"
 #include "verify/cases/variant.hpp"
-#include "x86model/instruction.hpp"
 
 namespace fixproof::judge {
-
-struct RegisterName {
-  x86model::Register number = x86model::Register::ax;
-  x86model::Size size = x86model::Size::word;
-
-  friend bool operator==(const RegisterName&, const RegisterName&) = default;
-};
-
-std::string name_of(const RegisterName& name);
-int bits_of(const RegisterName& name);
-/// Returns the register of a name in lower case, or nothing for any other text.
-std::optional<RegisterName> register_named(std::string_view text);
 
 /// A value, or a pointer to it, in registers.
 struct Place {
@@ -42,12 +29,6 @@ struct Frame {
   std::vector<RegisterName> kept{};  ///< must be preserved, as must the stack pointer
 };
 
-/// Parses `c`, `c-far`, `pascal`, `pascal-far`, `stdcall`, or registers:
-/// `eax, ebx -> eax`, `dx:ax, cx:bx -> dx:ax keeps si, di`, `[si], [bx], [di] ->`.
-/// @param bits 16 or 32, the width of the code
-/// @throws support::UsageError for any other text
-Frame frame_named(std::string_view text, int bits);
-
 /// One operand or result of an operation, as a routine's parameter.
 struct Parameter {
   int bits = 32;
@@ -60,6 +41,13 @@ struct Parameter {
 /// Returns the parameters of a routine that computes an operation: its operands, then its results
 /// behind pointers. A result that is not a parameter is the return value.
 std::vector<Parameter> parameters_of(const cases::Variant& variant);
+
+/// Parses `c`, `c-far`, `pascal`, `pascal-far`, `stdcall`, or registers:
+/// `eax, ebx -> eax`, `dx:ax, cx:bx -> dx:ax keeps si, di`, `[si], [bx], [di] ->`. In 64-bit code
+/// `c` and `sysv` are the convention of System V, and `ms` is that of Windows.
+/// @param bits 16, 32 or 64, the width of the code
+/// @throws support::UsageError for any other text
+Frame frame_named(std::string_view text, int bits, const cases::Variant& variant);
 
 /// Checks that the frame has a place for each operand and each result of the operation.
 /// @throws support::UsageError naming the place that is missing or too small

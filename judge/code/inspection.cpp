@@ -94,16 +94,12 @@ class Inspector {
 
 std::string changes_text(const Registers& before, const Registers& after, int bits) {
   std::string text;
-  const x86model::Size size = bits == 16 ? x86model::Size::word : x86model::Size::dword;
   for (std::size_t r = 0; r < before.general.size(); ++r) {
     if (before.general.at(r) == after.general.at(r)) continue;
     // In 16-bit code, the upper half is shown only if it changes.
     const bool high = (before.general.at(r) >> 16U) != (after.general.at(r) >> 16U);
-    const auto number = static_cast<x86model::Register>(r);
-    const bool wide = bits == 32 || high;
-    text +=
-        fmt::format(" {}={:0{}x}", x86model::name_of(number, wide ? x86model::Size::dword : size),
-                    wide ? after.general.at(r) : after.general.at(r) & 0xFFFFU, wide ? 8 : 4);
+    const RegisterName name = whole_register(r, bits == 16 && high ? 32 : bits);
+    text += fmt::format(" {}={:0{}x}", name_of(name), after.read(name), bits_of(name) / 4);
   }
   if (before.flags != after.flags) text += fmt::format(" fl={:04x}", after.flags);
   return text;

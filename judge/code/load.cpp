@@ -146,7 +146,17 @@ void expect_machine_code(const std::string& path) {
 Image image_of(const std::string& path, const std::string& bytes, const LoadOptions& options) {
   Image image;
   if (bytes.starts_with("\177ELF")) {
-    image.bits = options.bits.value_or(32);
+    const std::optional<int> bits = bits_of_elf(bytes);
+    if (!bits) {
+      throw UsageError(
+          "the ELF file is neither i386 nor x86-64 code; compile for this kind of processor");
+    }
+    // An object for the i386 may have 16-bit code.
+    image.bits = options.bits.value_or(*bits);
+    if ((image.bits == 64) != (*bits == 64)) {
+      throw UsageError(fmt::format("--bits {}: the ELF file has {}-bit code; leave --bits out",
+                                   image.bits, *bits));
+    }
     load_elf(image, bytes);
   } else if (bytes.starts_with("MZ")) {
     if (options.bits == 32) throw UsageError("--bits 32: a DOS .EXE has 16-bit code");
@@ -186,7 +196,7 @@ bool has_extension(const std::string& path, const std::string& extension) {
 }
 
 void load_flat(Image& image, const std::string& bytes, std::uint32_t origin) {
-  const bool wide = image.bits == 32;
+  const bool wide = image.bits >= 32;
   image.memory.assign(wide ? 0x100000 : 0x10000, unused);
   const auto size = static_cast<std::uint32_t>(image.memory.size());
   image.exit = size - exit_bytes;

@@ -12,7 +12,7 @@
 namespace fixproof::judge {
 
 struct LoadOptions {
-  std::optional<int> bits{};  ///< 16 or 32; by default what the container or the source says
+  std::optional<int> bits{};  ///< 16, 32 or 64; by default what the container or the source says
   /// The routine: `OFFSET`, `OFFSET..END`, or `SEGMENT:OFFSET` in an .EXE. Numbers are written as
   /// 0x1f, 1fh or 31; after `SEGMENT:` all are hexadecimal, as in a map file. If empty, `symbol`
   /// names the routine. Without both, the routine is the start of the code, or the only function of
@@ -55,9 +55,11 @@ void load_exe(Image& image, const std::string& bytes);
 /// Places the stack and the return address, after `--at` has chosen the segment of the code.
 /// @throws support::UsageError without the file's name
 void place_stack_of_exe(Image& image);
+/// Returns the width of the code in an ELF file: 32 for i386, 64 for x86-64, nothing for others.
+std::optional<int> bits_of_elf(std::string_view bytes);
+/// @pre image.bits is 64 if and only if bits_of_elf() says so
 void load_elf(Image& image, const std::string& bytes);
 /// Returns the width that a source states before its first instruction, with BITS or USE.
-/// @throws support::UsageError without the file's name, if it is 64
 std::optional<int> bits_of_source(const std::string& path);
 /// Assembles a source with nasm, which must be on the PATH.
 void load_source(Image& image, const std::string& path);

@@ -36,7 +36,7 @@ std::vector<std::string> nasm(const std::vector<std::string>& arguments) {
 std::string_view advice_on(std::string_view error) {
   if (error.ends_with("in 16-bit mode") || error.ends_with("in 32-bit mode") ||
       error.ends_with("in non-64-bit mode")) {
-    return "; judge runs code of 16 bits, or with --bits 32 of 32, not of 64";
+    return "; without BITS in the source the code has 16 bits: add --bits 32 or 64";
   }
   if (error.find("unable to open") != std::string_view::npos &&
       !error.ends_with("Too many open files")) {
@@ -108,10 +108,7 @@ std::optional<int> bits_of_source(const std::string& path) {
     std::string width;
     if (words[0] == "bits" && words.size() == 2) width = words[1];
     if (words[0].starts_with("use")) width = words[0].substr(3);
-    if (width == "64") {
-      throw UsageError("the source is for 64 bits; judge runs code of 16 or 32 bits");
-    }
-    if (width == "16" || width == "32") return width == "16" ? 16 : 32;
+    if (width == "16" || width == "32" || width == "64") return std::stoi(width);
     if (!is_directive(words[0])) break;
   }
   return std::nullopt;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 
 #include "judge/code/machine.hpp"
 #include "verify/machine_code/host_segment.hpp"
@@ -18,9 +19,13 @@ class Processor final : public Machine {
   [[nodiscard]] std::uint8_t* memory() const override { return segment_.memory(); }
   [[nodiscard]] std::uint16_t code_selector() const override { return segment_.code_selector(); }
   Ending call(Registers& registers) override {
-    machine_code::HostSegment::Registers host{registers.general, registers.flags};
+    machine_code::HostSegment::Registers host{.flags = registers.flags};
+    std::ranges::transform(std::span(registers.general).first(host.general.size()),
+                           host.general.begin(),
+                           [](std::uint64_t r) { return static_cast<std::uint32_t>(r); });
     const machine_code::CallEnding ending = segment_.call(host, entry_);
-    registers = {host.general, host.flags & observed_flags, host.x87};
+    registers = {.flags = host.flags & observed_flags, .x87 = host.x87};
+    std::ranges::copy(host.general, registers.general.begin());
     if (ending == machine_code::CallEnding::returned) return {};
     const bool is_divide_error = ending == machine_code::CallEnding::divide_error;
     return {.end = is_divide_error ? End::divide_error : End::fault};
@@ -34,6 +39,7 @@ class Processor final : public Machine {
 }  // namespace
 
 std::string absence_on_processor(const Image& image) {
+  if (image.bits == 64) return "64-bit code runs on Unicorn only";
   if (image.code_segment != 0 || image.data_segment != 0) {
     return "code with several real-mode segments runs on Unicorn only";
   }

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <functional>
 #include <vector>
 
 #include "judge/check/cases.hpp"
 #include "judge/code/claim.hpp"
+#include "judge/code/quotient_claim.hpp"
 #include "judge/code/symbolic.hpp"
 #include "judge/code/verdict.hpp"
 #include "verify/proof/model.hpp"
@@ -34,11 +37,11 @@ class Prover {
         listing_(subject.image) {}
 
   RoutineProof prove() {
-    if (!claim_of(rules_, Shape::of_signed)) {
+    if (!claim_of(rules_, Shape::of_signed) && !quotient_claim(rules_, terms_, {}, false)) {
       proof_.why =
-          "only mul, div, muldiv, add and sub of signed words of 16 and 32 bits can be proven, "
-          "quotients only if --overflow and --no-result are any or de, and a --rule only if "
-          "general "
+          "only mul, add and sub of signed words of 16 and 32 bits, div of up to 32 bits, and "
+          "muldiv "
+          "if --overflow and --no-result are any or de can be proven, and a --rule only if general "
           "rules express it or it is Doom's";
       return proof_;
     }
@@ -51,10 +54,16 @@ class Prover {
     proof_.paths = paths_.size();
     if (!terms_are_those_of_machine()) return proof_;
     for (const Arithmetic arithmetic : {Arithmetic::abstract, Arithmetic::exact}) {
+      for (const bool halves : {false, true}) {
+        const ClaimOf claim = [&](const Path& path) {
+          return quotient_claim(rules_, terms_, divide_of(path), halves);
+        };
+        if (claim(paths_.front()) && ask_all(claim, arithmetic)) return proof_;
+      }
       for (const Shape shape : shapes) {
         if (arithmetic == Arithmetic::exact && shape != Shape::of_signed) continue;
         const auto claim = claim_of(rules_, shape);
-        if (claim && ask_all(*claim, arithmetic)) return proof_;
+        if (claim && ask_all([&](const Path&) { return claim; }, arithmetic)) return proof_;
       }
     }
     if (proof_.why.empty()) proof_.why = "the solver does not decide in time";
@@ -67,7 +76,7 @@ class Prover {
   /// Compares the terms with the machine, because a wrong decoding would make a wrong proof.
   bool terms_are_those_of_machine() {
     check::GeneratedCases cases(subject_.variant, {.cases = cases_to_compare});
-    sym::Evaluation evaluation(terms_, sym::concrete);
+    sym::Evaluation evaluation(terms_, concrete_quotient);
     std::vector<std::uint32_t> words(operands());
     while (cases.next(words)) {
       for (std::size_t i = 0; i < words.size(); ++i) evaluation.set(operand_name(i), words[i]);
@@ -88,34 +97,51 @@ class Prover {
     return true;
   }
 
+  using ClaimOf = std::function<std::optional<Claim>(const Path&)>;
+
+  /// The divide that the path depends on, if it is the only one.
+  std::optional<MachineDivide> divide_of(const Path& path) {
+    if (path.divide_error) return std::nullopt;
+    return divide_in(terms_, std::array{path.condition, path.result});
+  }
+
   /// @return whether the outcome is final
-  bool ask_all(const Claim& claim, Arithmetic arithmetic) {
+  bool ask_all(const ClaimOf& claim, Arithmetic arithmetic) {
     for (const Path& path : paths_) {
-      const proof::SolverAnswer answer =
-          solver_.ask(question(path, claim, arithmetic), max_seconds_);
-      proof_.seconds += answer.seconds;
-      if (answer.verdict == Satisfiability::unsatisfiable) continue;
-      if (answer.verdict != Satisfiability::satisfiable) {
-        if (!answer.remark.empty()) proof_.why = answer.remark;
-        return false;
+      const Claim claimed = *claim(path);
+      for (const std::string& one : claimed.cases) {
+        const auto is_final = ask(question(path, claimed, one, arithmetic));
+        if (is_final) return *is_final;
       }
-      std::vector<std::uint32_t> words;
-      for (std::size_t i = 0; i < operands(); ++i) {
-        words.push_back(proof::word_in_model(answer.model, operand_name(i)));
-      }
-      const Answer given = runner_.answers(words).front();
-      const check::JudgedCase one = judged_case(subject_.variant, words, given);
-      const bool is_right = check::keeps(rules_, one.operands(), one.said) && given.broken == 0;
-      if (is_right) return false;  // a counterexample of abstract arithmetic only
-      proof_.standing = proof::Standing::disproven;
-      proof_.counterexample = one;
-      return true;
     }
     proof_.standing = proof::Standing::proven;
     return true;
   }
 
-  std::string question(const Path& path, const Claim& claim, Arithmetic arithmetic) {
+  /// Asks one question. @return nothing if its claim holds, or else whether the outcome is final
+  std::optional<bool> ask(const std::string& script) {
+    const proof::SolverAnswer answer = solver_.ask(script, max_seconds_);
+    proof_.seconds += answer.seconds;
+    if (answer.verdict == Satisfiability::unsatisfiable) return std::nullopt;
+    if (answer.verdict != Satisfiability::satisfiable) {
+      if (!answer.remark.empty()) proof_.why = answer.remark;
+      return false;
+    }
+    std::vector<std::uint32_t> words;
+    for (std::size_t i = 0; i < operands(); ++i) {
+      words.push_back(proof::word_in_model(answer.model, operand_name(i)));
+    }
+    const Answer given = runner_.answers(words).front();
+    const check::JudgedCase one = judged_case(subject_.variant, words, given);
+    const bool is_right = check::keeps(rules_, one.operands(), one.said) && given.broken == 0;
+    if (is_right) return false;  // a counterexample of abstract arithmetic only
+    proof_.standing = proof::Standing::disproven;
+    proof_.counterexample = one;
+    return true;
+  }
+
+  std::string question(const Path& path, const Claim& claim, const std::string& in_case,
+                       Arithmetic arithmetic) {
     std::vector<sym::Term> roots{path.condition};
     std::string right = claim.may_fault;
     if (!path.divide_error) {
@@ -125,16 +151,22 @@ class Prover {
           "(and {} {})", sym::name_in_smt(terms_, path.kept),
           fmt::format(fmt::runtime(claim.is_right), sym::name_in_smt(terms_, path.result)));
     }
+    if (const auto divide = divide_of(path)) {
+      for (const sym::Term part :
+           {divide->dividend, divide->divisor, divide->quotient, divide->remainder}) {
+        roots.push_back(part);
+      }
+    }
     std::vector<sym::Term> declared = roots;
     for (std::size_t i = 0; i < operands(); ++i) {
       declared.push_back(terms_.variable(operand_name(i), subject_.variant.format.word_bits));
     }
     return fmt::format(
-        "(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}(assert {})\n"
-        "(assert (not {}))\n(check-sat)\n",
-        proof::abstractions(arithmetic), sym::declare_variables(terms_, declared),
-        claim.definitions, sym::define(terms_, roots), sym::name_in_smt(terms_, path.condition),
-        right);
+        "(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}{}(assert {})\n"
+        "(assert {})\n(assert (not {}))\n(check-sat)\n",
+        proof::abstractions(arithmetic), declare_quotients(arithmetic),
+        sym::declare_variables(terms_, declared), sym::define(terms_, roots), claim.definitions,
+        sym::name_in_smt(terms_, path.condition), in_case, right);
   }
 
   const Subject& subject_;

@@ -65,8 +65,8 @@ Answer answer_of(Machine& machine, Call& call, const cases::Variant& variant,
   Answer answer;
   answer.ending = machine.call(registers);
   if (answer.ending.end != End::returned) return answer;
-  answer.broken = static_cast<std::uint16_t>(call.broken(registers));
-  answer.changed = static_cast<std::uint16_t>(call.changed(registers));
+  answer.broken = call.broken(registers);
+  answer.changed = call.changed(registers);
   call.leave(machine.memory(), registers, std::span(answer.words).first(words_out(variant)));
   return answer;
 }
@@ -125,7 +125,7 @@ bool ended_well(const Answer& answer) {
 namespace {
 
 bool is_possible(const Answer& answer) {
-  constexpr unsigned registers = (1U << x86model::register_count) - 1;
+  constexpr unsigned registers = (1U << register_count) - 1;
   constexpr unsigned broken = registers | Call::sets_direction | Call::fills_x87 |
                               Call::controls_x87 | Call::moves_segments;
   return answer.ending.end <= End::fault && (answer.broken & ~broken) == 0 &&

@@ -27,8 +27,8 @@ struct Subject {
 /// The outcome of one call.
 struct Answer {
   Ending ending{};
-  std::uint16_t broken = 0;                                 ///< see Call::broken()
-  std::uint16_t changed = 0;                                ///< see Call::changed()
+  std::uint32_t broken = 0;                                 ///< see Call::broken()
+  std::uint32_t changed = 0;                                ///< see Call::changed()
   std::array<std::uint32_t, cases::max_words_out> words{};  ///< valid if it returned
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "judge/code/decoded.hpp"
+#include "judge/code/quotient_claim.hpp"
 #include "judge/code/symbolic_machine.hpp"
 #include "x86model/alu.hpp"
 #include "x86model/run.hpp"
@@ -50,13 +51,14 @@ class Explorer : public sym::Explorer<Path> {
   /// The entry of the routine, called with its operands.
   Thread start() {
     Thread thread{.condition = t_.truth(true), .position = image_.entry};
-    for (std::size_t r = 0; r < x86model::register_count; ++r) {
-      thread.state.registers.at(r) = t_.variable(sym::numbered("register", r), 32);
+    const int width = image_.bits;
+    for (std::size_t r = 0; r < (width == 64 ? register_count : x86model::register_count); ++r) {
+      thread.state.registers.at(r) = t_.variable(sym::numbered("register", r), std::max(width, 32));
     }
     ImageMachine machine(image_, t_, thread.state);
-    const int width = image_.bits;
     const auto parameters = parameters_of(subject_.variant);
     std::uint32_t top = image_.stack_top;
+    if (width == 64) top -= bytes_of_home;
     const auto push_all = [&](std::size_t i) {
       const Term value = extended(parameters[i], i, std::max(width, parameters[i].bits));
       top -= static_cast<std::uint32_t>(t_.width(value) / 8);
@@ -74,7 +76,7 @@ class Explorer : public sym::Explorer<Path> {
       const Term value = extended(parameters[i], i, bits);
       for (const RegisterName& part : frame.in[i].parts) {
         bits -= bits_of(part);
-        machine.write(part.number, part.size, t_.extract(value, bits, bits_of(part)));
+        machine.put(part, t_.extract(value, bits, bits_of(part)));
       }
     }
     const std::uint32_t slot = static_cast<std::uint32_t>(width) / 8;
@@ -84,7 +86,7 @@ class Explorer : public sym::Explorer<Path> {
     }
     top -= slot;
     machine.store_at(image_.data_at(top), t_.constant(image_.exit, width));
-    machine.write(Register::sp, machine.word(), t_.constant(top, width));
+    machine.put(stack_pointer(), t_.constant(top, width));
     begin_ = thread.state;
     return thread;
   }
@@ -94,6 +96,8 @@ class Explorer : public sym::Explorer<Path> {
     const Term value = t_.variable(operand_name(index), p.bits);
     return p.is_signed ? t_.sign_extend(value, bits) : t_.zero_extend(value, bits);
   }
+
+  [[nodiscard]] RegisterName stack_pointer() const { return whole_register(4, image_.bits); }
 
   bool step(Thread& thread) override {
     const auto at = static_cast<std::uint32_t>(thread.position);
@@ -119,6 +123,7 @@ class Explorer : public sym::Explorer<Path> {
 
   void returned(Thread& thread) {
     const ImageMachine machine(image_, t_, thread.state);
+    const ImageMachine before(image_, t_, begin_);
     Path path{.condition = thread.condition};
     const int bits = subject_.variant.format.word_bits;
     const Frame& frame = subject_.frame;
@@ -131,15 +136,13 @@ class Explorer : public sym::Explorer<Path> {
     }
     std::optional<Term> value;
     for (const RegisterName& part : parts) {
-      const Term read = machine.read(part.number, part.size);
+      const Term read = machine.read(part);
       value = value ? sym::join(t_, *value, read) : read;
     }
     path.result = t_.extract(*value, 0, bits);
-    path.kept =
-        t_.equal(machine.read(Register::sp, machine.word()), t_.constant(after_, image_.bits));
+    path.kept = t_.equal(machine.read(stack_pointer()), t_.constant(after_, image_.bits));
     for (const RegisterName& kept : frame.kept) {
-      path.kept = t_.both(path.kept, t_.equal(machine.read(kept.number, kept.size),
-                                              begin_.read(t_, kept.number, kept.size)));
+      path.kept = t_.both(path.kept, t_.equal(machine.read(kept), before.read(kept)));
     }
     paths_.push_back(path);
   }
@@ -148,6 +151,10 @@ class Explorer : public sym::Explorer<Path> {
   bool execute(Thread& thread, const Decoded& code) {
     const auto next = static_cast<std::uint32_t>(thread.position) + code.bytes;
     const std::string& m = code.mnemonic;
+    if (m == "nop" || m.starts_with("endbr")) {
+      thread.position = next;
+      return true;
+    }
     if (code.has_repeat || code.overrides_segment || code.operands.size() > 3) not_modelled();
     Instruction i{.count = code.operands.size()};
     std::copy(code.operands.begin(), code.operands.end(), i.operands.begin());
@@ -185,7 +192,7 @@ class Explorer : public sym::Explorer<Path> {
   /// The size of the operands: that of the first one. What is pushed has that of the code.
   [[nodiscard]] Size size_of(const Instruction& i, const std::string& m) const {
     const int bits = i.count == 0 || m == "push" ? image_.bits : i.operands[0].bits;
-    return bits == 8 ? Size::byte : bits == 16 ? Size::word : Size::dword;
+    return bits == 8 ? Size::byte : whole_register(0, bits).size;
   }
 
   /// A jump or call with a fixed target. Returns whether the thread goes on.
@@ -209,7 +216,7 @@ class Explorer : public sym::Explorer<Path> {
     if (!op || x86model::is_control_flow(*op)) return false;
     using namespace x86model::detail;
     if ((is_multiply(*op) || is_divide(*op)) &&
-        (i.count != 1 || i.operands[0].size == Size::byte)) {
+        (i.count != 1 || i.operands[0].size == Size::byte || i.operands[0].size == Size::qword)) {
       return false;
     }
     if (is_double_shift(*op) && (i.operands[2].value & 31U) >= 16 &&
@@ -241,6 +248,21 @@ class Explorer : public sym::Explorer<Path> {
     if (m == "not" && i.count == 1) {
       return machine.write(first, size, t_.bit_xor(value(0), t_.constant(~std::uint64_t{0}, bits)));
     }
+    if (code.condition && m.starts_with("cmov") && i.count == 2) {
+      return machine.write(first, size,
+                           t_.ite(holds(machine, *code.condition), value(1), value(0)));
+    }
+    if (m == "lea" && i.count == 2) {
+      const Term address = machine.address_term(i.operands[1]);
+      const int given = t_.width(address);
+      return machine.write(
+          first, size, given < bits ? t_.zero_extend(address, bits) : t_.extract(address, 0, bits));
+    }
+    if (m == "idiv" && i.count == 1 && size == Size::qword) return divide_64(machine, value(0));
+    if (m == "imul" && i.count > 1 && size == Size::qword) {
+      machine.flags = d.undefined_flags();
+      return machine.write(first, size, low_product(value(i.count - 2), value(i.count - 1)));
+    }
     if (m == "imul" && i.count > 1 && size != Size::byte) {
       const auto product = alu::imul(d, value(i.count - 2), value(i.count - 1), bits);
       machine.flags = product.flags;
@@ -258,12 +280,12 @@ class Explorer : public sym::Explorer<Path> {
       const Term old = value(0);
       return machine.write(first, size, value(1)) && machine.write(i.operands[1], size, old);
     }
-    if (m == "movzx" || m == "movsx") {
+    if (m == "movzx" || m.starts_with("movsx")) {
       const Operand& from = i.operands[1];
       const int given = from.bits;
       if (given >= bits) return false;
       Term narrow;
-      machine.read(from, given == 8 ? Size::byte : Size::word, narrow);
+      machine.read(from, given == 8 ? Size::byte : whole_register(0, given).size, narrow);
       return machine.write(
           first, size, m == "movzx" ? t_.zero_extend(narrow, bits) : t_.sign_extend(narrow, bits));
     }
@@ -271,23 +293,89 @@ class Explorer : public sym::Explorer<Path> {
   }
 
   bool execute_without_operands(ImageMachine& machine, const std::string& m) {
-    if (m == "nop") return true;
     if (m == "leave") {
-      machine.write(Register::sp, machine.word(), machine.read(Register::bp, machine.word()));
-      machine.write(Register::bp, machine.word(), machine.pop(machine.word()));
+      const RegisterName frame = whole_register(5, image_.bits);
+      machine.write(stack_pointer(), machine.read(frame));
+      machine.write(frame, machine.pop(machine.word()));
       return true;
     }
-    // CWD, CDQ and CWDE extend AX or EAX by its sign.
-    if (m != "cwd" && m != "cdq" && m != "cwde") return false;
-    const Size size = m == "cdq" ? Size::dword : Size::word;
-    const int bits = ImageMachine::bits_of(size);
-    const Term wide = t_.sign_extend(machine.read(Register::ax, size), 2 * bits);
-    if (m == "cwde") {
-      machine.write(Register::ax, Size::dword, wide);
-    } else {
-      machine.write(Register::dx, size, t_.extract(wide, bits, bits));
+    // CWDE and CDQE extend AX and EAX by their sign to a register of twice the size; CWD, CDQ and
+    // CQO fill another register with it.
+    if (m == "cwde" || m == "cdqe") {
+      const int bits = m == "cwde" ? 16 : 32;
+      const Term narrow = machine.read(whole_register(0, bits));
+      machine.write(whole_register(0, 2 * bits), t_.sign_extend(narrow, 2 * bits));
+      return true;
     }
+    if (m == "cwd" || m == "cdq" || m == "cqo") {
+      const int bits = m == "cwd" ? 16 : m == "cdq" ? 32 : 64;
+      const Term number = machine.read(whole_register(0, bits));
+      const Term wide =
+          bits == 64 ? sign_of(number) : t_.extract(t_.sign_extend(number, 2 * bits), bits, bits);
+      machine.write(whole_register(2, bits), wide);
+      return true;
+    }
+    return false;
+  }
+
+  /// IDIV of a dividend that CQO has extended: the only one that fits a term.
+  bool divide_64(ImageMachine& machine, Term divisor) {
+    const Term n = machine.read(whole_register(0, 64));
+    if (machine.read(whole_register(2, 64)) != sign_of(n)) {
+      throw Obstacle("a dividend of more than 64 bits is not modelled");
+    }
+    const auto is = [&](Term term, std::uint64_t number) {
+      return t_.equal(term, t_.constant(number, 64));
+    };
+    const std::uint64_t lowest = std::uint64_t{1} << 63U;
+    machine.faults_if(
+        t_.either(is(divisor, 0), t_.both(is(n, lowest), is(divisor, ~std::uint64_t{0}))));
+    machine.write(whole_register(0, 64), t_.apply(quotient_64, {n, divisor}, 64));
+    machine.write(whole_register(2, 64), t_.apply(remainder_64, {n, divisor}, 64));
+    machine.flags = machine.domain().undefined_flags();
     return true;
+  }
+
+  /// A word of copies of a term's sign.
+  Term sign_of(Term number) {
+    const int bits = t_.width(number);
+    return t_.sign_extend(t_.extract(number, bits - 1, 1), bits);
+  }
+
+  /// The low 64 bits of a product. That of two numbers of 32 bits is exact, so it is the abstract
+  /// function that claims speak of, with its operands in the order in which they were made.
+  Term low_product(Term x, Term y) {
+    for (const bool is_signed : {true, false}) {
+      auto a = narrowed(x, is_signed);
+      auto b = narrowed(y, is_signed);
+      if (!a || !b) continue;
+      if (*b < *a) std::swap(a, b);
+      const sym::Domain d(t_);
+      return is_signed ? d.signed_product(*a, *b, 32) : d.unsigned_product(*a, *b, 32);
+    }
+    throw Obstacle("a product of numbers of more than 32 bits is not modelled");
+  }
+
+  /// The number of 32 bits that a term of 64 extends, if it does.
+  std::optional<Term> narrowed(Term wide, bool is_signed) {
+    const sym::Node node = t_[wide];
+    if (node.op == sym::Op::constant) {
+      const auto low = static_cast<std::uint32_t>(node.value);
+      const std::uint64_t extended =
+          is_signed ? static_cast<std::uint64_t>(std::int64_t{static_cast<std::int32_t>(low)})
+                    : low;
+      if (extended != node.value) return std::nullopt;
+      return t_.constant(low, 32);
+    }
+    if (is_signed && node.op == sym::Op::sign_extend && t_.width(node.arguments[0]) <= 32) {
+      return t_.sign_extend(node.arguments[0], 32);
+    }
+    const bool has_zeros = node.op == sym::Op::concat && t_.is_constant(node.arguments[0]) &&
+                           t_.value(node.arguments[0]) == 0;
+    if (has_zeros && t_.width(node.arguments[1]) <= (is_signed ? 31 : 32)) {
+      return t_.zero_extend(node.arguments[1], 32);
+    }
+    return std::nullopt;
   }
 
   const Image& image_;

@@ -33,8 +33,24 @@ class ImageMachine : public x86model::symbolic::Machine {
   using Machine::write;
 
   [[nodiscard]] int width() const { return image_.bits; }
-  [[nodiscard]] x86model::Size word() const {
-    return width() == 16 ? x86model::Size::word : x86model::Size::dword;
+  [[nodiscard]] x86model::Size word() const { return whole_register(0, width()).size; }
+
+  [[nodiscard]] Term read(const RegisterName& name) const {
+    return t_.extract(state_.registers.at(name.holder()), name.shift(), bits_of(name.size));
+  }
+  /// Writes a register as an instruction does: 32 bits clear what is above them.
+  void write(const RegisterName& name, Term value) {
+    const bool is_upper_half_cleared = name.size == x86model::Size::dword && width() == 64;
+    put(is_upper_half_cleared ? whole_register(name.holder(), 64) : name,
+        is_upper_half_cleared ? t_.zero_extend(value, 64) : value);
+  }
+  /// Writes a register as a caller does, who leaves anything in its other bits.
+  void put(const RegisterName& name, Term value) {
+    Term& whole = state_.registers.at(name.holder());
+    const int end = name.shift() + bits_of(name.size);
+    const int above = t_.width(whole) - end;
+    if (name.shift() > 0) value = t_.concat(value, t_.extract(whole, 0, name.shift()));
+    whole = above > 0 ? t_.concat(t_.extract(whole, end, above), value) : value;
   }
 
   void store_at(std::uint32_t address, Term value) {
@@ -44,7 +60,7 @@ class ImageMachine : public x86model::symbolic::Machine {
   }
 
   bool read(const Operand& o, x86model::Size size, Term& value) const {
-    value = o.kind == Operand::Kind::reg         ? read(o.reg.number, o.reg.size)
+    value = o.kind == Operand::Kind::reg         ? read(o.reg)
             : o.kind == Operand::Kind::immediate ? t_.constant(o.value, bits_of(size))
                                                  : load_at(address_of(o), bits_of(size));
     return true;
@@ -52,7 +68,7 @@ class ImageMachine : public x86model::symbolic::Machine {
 
   bool write(const Operand& o, x86model::Size /*size*/, Term value) {
     if (o.kind == Operand::Kind::reg) {
-      write(o.reg.number, o.reg.size, value);
+      write(o.reg, value);
       return true;
     }
     const std::uint32_t address = address_of(o);
@@ -73,20 +89,31 @@ class ImageMachine : public x86model::symbolic::Machine {
 
   static std::uint32_t count_in(const Operand& o) {
     if (o.kind != Operand::Kind::immediate) throw Obstacle("this instruction is not modelled");
-    return o.value;
+    return static_cast<std::uint32_t>(o.value);
   }
 
-  void move_stack(std::uint32_t bytes) {
+  /// The address of a memory operand, of its own width.
+  [[nodiscard]] Term address_term(const Operand& o) const {
+    const int bits = o.address_bits;
+    Term sum = t_.constant(o.value, bits);
+    for (const RegisterName& base : o.bases) {
+      const bool is_scaled = o.scale > 1 && &base == &o.bases.back();
+      sum = t_.add(is_scaled ? times(read(base), o.scale) : read(base), sum);
+    }
+    return sum;
+  }
+
+  void move_stack(std::uint64_t bytes) {
     const Term top = read(x86model::Register::sp, word());
     write(x86model::Register::sp, word(), t_.add(top, t_.constant(bytes, width())));
   }
   bool push(Term value) {
-    move_stack(0U - static_cast<std::uint32_t>(t_.width(value) / 8));
+    move_stack(std::uint64_t{0} - static_cast<std::uint64_t>(t_.width(value) / 8));
     return write(top(), word(), value);
   }
   Term pop(x86model::Size size) {
     const Term value = load_at(address_of(top()), bits_of(size));
-    move_stack(static_cast<std::uint32_t>(bits_of(size)) / 8);
+    move_stack(static_cast<std::uint64_t>(bits_of(size)) / 8);
     return value;
   }
   bool pop(Term& value) {
@@ -100,7 +127,7 @@ class ImageMachine : public x86model::symbolic::Machine {
  private:
   [[nodiscard]] Operand top() const {
     return {.kind = Operand::Kind::memory,
-            .bases = {{x86model::Register::sp, word()}},
+            .bases = {whole_register(4, width())},
             .address_bits = width()};
   }
 
@@ -121,11 +148,17 @@ class ImageMachine : public x86model::symbolic::Machine {
 
   /// @throws Obstacle unless the address is a constant
   [[nodiscard]] std::uint32_t address_of(const Operand& o) const {
-    const int bits = o.address_bits;
-    Term sum = t_.constant(o.value, bits);
-    for (const RegisterName& base : o.bases) sum = t_.add(read(base.number, base.size), sum);
-    if (!t_.is_constant(sum)) throw Obstacle("an address that depends on operands is not modelled");
-    return image_.data_at(static_cast<std::uint32_t>(t_.value(sum)));
+    const Term address = address_term(o);
+    if (!t_.is_constant(address)) {
+      throw Obstacle("an address that depends on operands is not modelled");
+    }
+    return image_.data_at(static_cast<std::uint32_t>(t_.value(address)));
+  }
+
+  /// A value times 2, 4 or 8.
+  [[nodiscard]] Term times(Term value, int scale) const {
+    const int shift = scale == 2 ? 1 : scale == 4 ? 2 : 3;
+    return t_.concat(t_.extract(value, 0, t_.width(value) - shift), t_.constant(0, shift));
   }
 
   const Image& image_;

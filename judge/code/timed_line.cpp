@@ -33,7 +33,7 @@ void add_operand(TimedLine& timed, const Operand& o) {
       if (timed.bits == 0) timed.bits = o.bits;
       return;
     case Operand::Kind::memory:
-      timed.shape += 'm';
+      timed.shape += o.scale > 1 ? '?' : 'm';
       if (timed.bits == 0) timed.bits = o.bits;
       timed.bases = o.bases;
       return;
@@ -41,7 +41,7 @@ void add_operand(TimedLine& timed, const Operand& o) {
       const bool by_one = counts && (timed.opcode == 0xD0 || timed.opcode == 0xD1);
       const bool by_byte = timed.mnemonic == "imul" && timed.opcode == 0x6B;
       timed.shape += by_one ? '1' : by_byte ? 'b' : 'i';
-      timed.immediate = o.value;
+      timed.immediate = static_cast<std::uint32_t>(o.value);
       return;
     }
     case Operand::Kind::segment:
@@ -63,7 +63,7 @@ bool is_taken(const TimedLine& line, const Registers& before) {
   }
   if (!may_pass(line)) return true;
   const RegisterName counter{Register::cx, line.has_wide_addresses ? Size::dword : Size::word};
-  const std::uint32_t count = before.read(counter);
+  const std::uint64_t count = before.read(counter);
   if (line.mnemonic.ends_with("cxz")) return count == 0;
   if (count == 1) return false;
   const bool is_zero = (before.flags & ZF) != 0;

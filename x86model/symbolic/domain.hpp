@@ -33,6 +33,8 @@ class Domain {
   using Wide = Term;
   using Truth = Term;
   using Flags = FlagTerms;
+  /// The bits of the widest value. A carry out of it has no place in a sum.
+  static constexpr int widest = 64;
 
   // NOLINTNEXTLINE(*-explicit-*): where there are terms, there is their domain
   Domain(Terms& terms) : t_(&terms) {}
@@ -49,9 +51,14 @@ class Domain {
     return t_->sub(t_->sub(a, b), number(borrow, bits));
   }
   [[nodiscard]] Term carry_of(Term a, Term b, Term carry, int bits) const {
+    if (bits == widest) {
+      const Term total = sum(a, b, carry, bits);
+      return either(below(total, a), t_->both(carry, equal(total, a)));
+    }
     return bit(sum(widened(a), widened(b), carry, bits + 1), bits);
   }
   [[nodiscard]] Term borrow_of(Term a, Term b, Term borrow, int bits) const {
+    if (bits == widest) return either(below(a, b), t_->both(borrow, equal(a, b)));
     return bit(difference(widened(a), widened(b), borrow, bits + 1), bits);
   }
   [[nodiscard]] Term bit_and(Term a, Term b) const { return t_->bit_and(a, b); }

@@ -25,7 +25,7 @@ class Machine {
 
   [[nodiscard]] Domain domain() const { return t_; }
   [[nodiscard]] static int bits_of(Size size) {
-    return size == Size::byte ? 8 : size == Size::word ? 16 : 32;
+    return size == Size::byte ? 8 : size == Size::word ? 16 : size == Size::dword ? 32 : 64;
   }
   [[nodiscard]] Term read(Register r, Size size) const { return state_.read(t_, r, size); }
   void write(Register r, Size size, Term value) { state_.write(t_, r, size, value); }

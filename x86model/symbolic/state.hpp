@@ -21,11 +21,12 @@ struct Store {
   friend bool operator==(const Store&, const Store&) = default;
 };
 
-/// Registers, flags and memory of 16-bit words, as terms. Memory has only the words that were put
+/// Registers, flags and memory of 16-bit words, as terms. Registers have 32 bits, or in the 64-bit
+/// code of users 64. Memory has only the words that were put
 /// there; a read elsewhere ends a path as bad_address, unless memory is open. Addresses are
 /// constants, except in the cosine table and in open memory.
 struct State {
-  std::array<Term, register_count> registers;  ///< 32 bits each
+  std::array<Term, 16> registers;  ///< the listings have the first register_count
   FlagTerms flags;
   std::map<std::uint32_t, Term> memory;
   std::vector<Store> stores{};  ///< to open memory, in order

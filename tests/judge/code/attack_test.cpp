@@ -210,7 +210,7 @@ void expect_kept_in(int bits) {
   judge::LoadOptions options;
   options.bits = bits;
   judge::Subject subject{.image = judge::load(folder.write("attack.asm", routines.text()), options),
-                         .frame = judge::frame_named("dx:ax, cx:bx -> dx:ax", bits),
+                         .frame = judge::frame_named("dx:ax, cx:bx -> dx:ax", bits, {}),
                          .variant = {.operation = cases::Operation::mul, .format = cases::q16_16}};
   const auto symbols = subject.image.symbols;
   const std::vector<std::uint32_t> words{0x10000, 0x10000, 0x18000, 0x20000, 1, 2};

@@ -25,7 +25,7 @@ RoutineClocks clocks_of(const std::string& source, const std::string& frame,
                         const cases::Variant& variant, int bits = 16) {
   const ScratchFolder folder;
   const judge::Image image = judge::load(folder.write("code.asm", source), {.bits = bits});
-  return judge::count_clocks({image, judge::frame_named(frame, bits), variant});
+  return judge::count_clocks({image, judge::frame_named(frame, bits, variant), variant});
 }
 
 void expect_equal(const Spread& one, const Spread& other, const std::string& what) {

@@ -1,5 +1,8 @@
 // ELF objects with names that they lack, position-independent code, and variables without a
 // section.
+#include <fstream>
+#include <iterator>
+
 #include "tests/judge/code/judged.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
@@ -113,12 +116,18 @@ TEST(JudgeElf, ALinkedFileIsRefused) {
                               "the ELF file is linked; give the object from before linking\n");
 }
 
-TEST(JudgeElf, AnObjectOf64BitsIsRefused) {
+TEST(JudgeElf, AnObjectOfAnotherProcessorIsRefused) {
   const ScratchFolder folder;
-  const std::string from = folder.write("wide.asm", "bits 64\nmov rax, rdi\nret\n");
+  const std::string from = folder.write("wide.asm", "bits 64\nmul: mov rax, rdi\nret\n");
   const std::string to = folder.path("wide.o");
   ASSERT_EQ(command::run({"nasm", "-f", "elf64", "-o", to, from}).status, 0);
-  command::expect_usage_error(judge_symbol(to, "mul"), "compile with -m32");
+  command::expect_usage_error(judge(to, "--bits|32|--as|mul"),
+                              "--bits 32: the ELF file has 64-bit code; leave --bits out");
+  std::ifstream stream(to, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  bytes[18] = '\xB7';  // e_machine: AArch64
+  command::expect_usage_error(judge(folder.write("arm.o", bytes), "--as|mul"),
+                              "the ELF file is neither i386 nor x86-64 code");
 }
 
 }  // namespace

@@ -62,16 +62,23 @@ TEST(JudgeOptions, CodeOf64Bits) {
       "movsxd rsi, esi\nmovsxd rdi, edi\nimul rdi, rsi\nmov rax, rdi\n"
       "sar rax, 16\nret\n";
   const std::string hint =
-      "The code looks like 64-bit code, and ran as 32-bit code: compile with -m32.";
+      "The code looks like 64-bit code, and ran as 32-bit code: add --bits 64.";
   const std::string code = folder.write("wide.bin", command::assemble("bits 64\n" + source));
   expect(judge(code, "--bits|32|--as|mul|--cases|5000"), 1, {hint});
-  command::expect_usage_error(
-      judge(folder.write("wide.asm", "; mine\n[bits 64]\n" + source), "--bits|32|--as|mul"),
-      "wide.asm: the source is for 64 bits; judge runs code of 16 or 32 bits");
+  const std::string wide = folder.write("wide.asm", "; mine\n[bits 64]\n" + source);
+  command::expect_usage_error(judge(wide, "--bits|32|--as|mul"),
+                              "--bits 32: the source says bits 64; leave --bits out");
+  for (const std::string& right : {code + "|--bits|64", wide}) {
+    const auto words = command::split(right, '|');
+    expect(judge(words[0],
+                 (words.size() > 1 ? "--bits|64|" : "") + std::string("--as|mul|--cases|5000")),
+           0, {"64-bit code, frame sysv", "AGREES on 5,000 cases"});
+  }
   command::expect_usage_error(
       judge(folder.write("rax.asm", "\nmov rax, rdi"), "--bits|32|--as|mul"),
-      "nasm: 2: error: instruction not supported in 32-bit mode; judge runs "
-      "code of 16 bits, or with --bits 32 of 32, not of 64");
+      "nasm: 2: error: instruction not supported in 32-bit mode; without BITS in the source the "
+      "code "
+      "has 16 bits: add --bits 32 or 64");
   // A routine that decrements is not 64-bit code.
   const auto other = judge(folder.write("dec.asm", "dec eax\nimul ebx\nshrd eax, edx, 16\nret\n"),
                            in_registers + "|--cases|5000");

@@ -1,0 +1,50 @@
+/// @file
+/// States in SMT-LIB what a rounded quotient must be, by the remainder of a divide that the routine
+/// makes, so that a solver adds and compares but never multiplies.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "judge/code/claim.hpp"
+#include "verify/proof/specification.hpp"
+#include "x86model/symbolic/term.hpp"
+
+namespace fixproof::judge {
+
+/// The abstract functions of a 64-bit IDIV whose dividend has 64 bits: quotient and remainder.
+inline constexpr const char* quotient_64 = "squot64";
+inline constexpr const char* remainder_64 = "srest64";
+
+/// Returns their values; 0 for a zero divisor and for the one quotient that does not fit. All other
+/// functions are those of x86model::symbolic::concrete().
+std::uint64_t concrete_quotient(const std::string& name, std::span<const std::uint64_t> arguments);
+
+/// Returns their declarations, or in exact arithmetic their definitions.
+std::string declare_quotients(proof::Arithmetic arithmetic);
+
+/// A divide of the machine: q and r with dividend = q * divisor + r.
+struct MachineDivide {
+  x86model::symbolic::Term dividend;
+  x86model::symbolic::Term divisor;
+  x86model::symbolic::Term quotient;
+  x86model::symbolic::Term remainder;
+  bool is_signed = true;
+};
+
+/// Returns the only divide that terms depend on; nothing if there is none, or more than one.
+std::optional<MachineDivide> divide_in(x86model::symbolic::Terms& terms,
+                                       std::span<const x86model::symbolic::Term> roots);
+
+/// Returns the claim for div of operands a and b, to stand after the definitions of the terms. Its
+/// definitions assert what holds for every division of integers: the remainder is smaller than the
+/// divisor and has the sign of the dividend, and the quotient has the sign of the exact one and is
+/// not larger than the dividend. Returns nothing if the rules need more than inequalities tell.
+/// @param divide nothing if the path has none: then only a result without a quotient can be right
+/// @param halves whether the machine's quotient is near twice the result, not near the result
+std::optional<Claim> quotient_claim(const check::Rules& rules,
+                                    const x86model::symbolic::Terms& terms,
+                                    const std::optional<MachineDivide>& divide, bool halves);
+
+}  // namespace fixproof::judge
