@@ -124,34 +124,36 @@ bool ended_well(const Answer& answer) {
 
 namespace {
 
-bool is_possible(const Answer& answer) {
-  constexpr unsigned registers = (1U << register_count) - 1;
-  constexpr unsigned broken = registers | Call::sets_direction | Call::fills_x87 |
-                              Call::controls_x87 | Call::moves_segments;
+bool is_possible(const Answer& answer, int code_bits) {
+  const unsigned registers =
+      (1U << (code_bits == 64 ? register_count : x86model::register_count)) - 1;
+  const unsigned broken = registers | Call::sets_direction | Call::fills_x87 | Call::controls_x87 |
+                          Call::moves_segments;
   return answer.ending.end <= End::fault && (answer.broken & ~broken) == 0 &&
          (answer.changed & ~registers) == 0;
 }
 
 }  // namespace
 
-std::optional<std::vector<Answer>> read_answers(std::string_view reply, std::size_t asked) {
+std::optional<std::vector<Answer>> read_answers(std::string_view reply, std::size_t asked,
+                                                int code_bits) {
   const std::size_t count = reply.size() / sizeof(Answer);
   if (count == 0 || count > asked || reply.size() % sizeof(Answer) != 0) return std::nullopt;
   std::vector<Answer> answers;
   read_as(reply, answers);
   for (const Answer& answer : answers) {
     const bool is_last = &answer == &answers.back();
-    if (!is_possible(answer) || (!is_last && !ended_well(answer))) return std::nullopt;
+    if (!is_possible(answer, code_bits) || (!is_last && !ended_well(answer))) return std::nullopt;
   }
   if (count < asked && ended_well(answers.back())) return std::nullopt;
   return answers;
 }
 
-std::optional<TracedCall> read_trace(std::string_view reply) {
+std::optional<TracedCall> read_trace(std::string_view reply, int code_bits) {
   TracedCall call;
   std::uint32_t steps = 0;
-  if (!read_first(reply, call.answer) || !is_possible(call.answer) || !read_first(reply, steps) ||
-      reply.size() / sizeof(Step) < steps) {
+  if (!read_first(reply, call.answer) || !is_possible(call.answer, code_bits) ||
+      !read_first(reply, steps) || reply.size() / sizeof(Step) < steps) {
     return std::nullopt;
   }
   const std::size_t bytes_of_steps = steps * sizeof(Step);
@@ -191,7 +193,8 @@ Runner::Batch Runner::ask(std::span<const std::uint32_t> words) {
                                                      .bytes = cases * sizeof(Answer)});
   downfall_ = reply.downfall != Downfall::none ? reply.downfall : downfall_;
   if (reply.downfall != Downfall::none) return {reply.downfall};
-  if (auto answers = read_answers(reply.bytes, cases)) return {.answers = std::move(*answers)};
+  if (auto answers = read_answers(reply.bytes, cases, subject_.image.bits))
+    return {.answers = std::move(*answers)};
   server_.reset();
   downfall_ = Downfall::false_reply;
   return {downfall_};
@@ -225,7 +228,7 @@ std::optional<TracedCall> traced(const Subject& subject, std::span<const std::ui
   const Reply reply = child.ask(
       bytes_of(words),
       {.step = 5 * time_of_case, .whole = 5 * time_of_case, .steps = 0, .bytes = longest_trace});
-  return read_trace(reply.bytes);
+  return read_trace(reply.bytes, subject.image.bits);
 }
 
 }  // namespace fixproof::judge

@@ -76,12 +76,13 @@ struct TracedCall {
 
 /// Reads a reply to a batch of cases. Returns nothing if it is false: if it has another length than
 /// some answers, no answer, more than `asked`, or fewer without a call that is stuck; if a stuck
-/// call is not the last; or if an ending or a register is none.
-std::optional<std::vector<Answer>> read_answers(std::string_view reply, std::size_t asked);
+/// call is not the last; or if an ending, or a register of code of that width, is none.
+std::optional<std::vector<Answer>> read_answers(std::string_view reply, std::size_t asked,
+                                                int code_bits);
 
 /// Reads a traced call. Returns nothing if it is false: if it has another length than its steps and
 /// accesses, an ending or a register that is none, or an access of no step or of too many bytes.
-std::optional<TracedCall> read_trace(std::string_view reply);
+std::optional<TracedCall> read_trace(std::string_view reply, int code_bits);
 
 /// Traces one call on Unicorn. Returns nothing if its process dies, which only a defect of Unicorn
 /// can cause.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -151,6 +152,9 @@ class ImageMachine : public x86model::symbolic::Machine {
     const Term address = address_term(o);
     if (!t_.is_constant(address)) {
       throw Obstacle("an address that depends on operands is not modelled");
+    }
+    if (t_.value(address) > std::numeric_limits<std::uint32_t>::max()) {
+      throw Obstacle("an address beyond all memory is not modelled");
     }
     return image_.data_at(static_cast<std::uint32_t>(t_.value(address)));
   }
