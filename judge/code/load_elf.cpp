@@ -63,8 +63,8 @@ Section section_of(const Theirs& s) {
 }
 template <class Theirs>
 ElfSymbol symbol_of(const Theirs& s) {
-  return {s.st_name, s.st_shndx, ELF32_ST_BIND(s.st_info), static_cast<std::uint32_t>(s.st_value),
-          s.st_size};
+  return {s.st_name, s.st_shndx, static_cast<unsigned>(ELF32_ST_BIND(s.st_info)),
+          static_cast<std::uint32_t>(s.st_value), s.st_size};
 }
 
 class Object {
