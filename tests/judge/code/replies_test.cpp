@@ -17,7 +17,7 @@ constexpr Answer returned{};
 constexpr Answer stuck{.ending = {.end = End::endless}};
 
 TEST(Replies, AnswersAreReadAsTheyAre) {
-  Answer answer{.broken = 1U << 11U, .changed = 0xFF};
+  Answer answer{.broken = Call::moves_segments, .changed = 0xFF};
   answer.words = {1, 2, 3};
   const auto read = read_answers(bytes_of({answer, stuck}), 4, 32);
   ASSERT_TRUE(read);
