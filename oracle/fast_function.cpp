@@ -40,8 +40,7 @@ std::optional<std::int64_t> fast::nearest(Function function, std::int64_t x, std
   const double biased = scaled + 0.5;
   const double whole = std::floor(biased);
   const double rest = biased - whole;
-  const double uncertain =
-      error_of(function, value) * one + (std::abs(scaled) + 1) * 0x1p-51;
+  const double uncertain = error_of(function, value) * one + (std::abs(scaled) + 1) * 0x1p-51;
   if (rest > uncertain && 1 - rest > uncertain) return static_cast<std::int64_t>(whole);
   const auto exact = oracle::nearest(function, x, y, fraction_bits, ties);
   if (!exact) return std::nullopt;

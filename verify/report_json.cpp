@@ -38,22 +38,22 @@ Json json_of(const Report& report, std::size_t number, const Json& streams) {
   Json shown = Json::array();
   for (const Mismatch& m : found.shown) shown.push_back(json_of(m, cases::operand_bits(v)));
   const bool routine_format = cases::has_routine_format(v);
-  const std::string format = !routine_format ? cases::name_of(cases::operand_format(v))
+  const std::string format = !routine_format             ? cases::name_of(cases::operand_format(v))
                              : v.format == cases::q16_16 ? "full"
                                                          : "half";
   Json json{{"operation", cases::name_of(v.operation)},
-          {"target", cases::name_of(v.build.target)},
-          {"mul_round", v.build.mul_round},
-          {"div_round", v.build.div_round},
-          {"chapter", v.build.chapter_52 ? 52 : 54},
-          {"repaired", v.build.repaired},
-          {routine_format ? "width" : "format", format},
-          {"parties", row.parties},
-          {"streams", streams},
-          {"cases", found.cases},
-          {"faults", found.faults},
-          {"mismatches", found.mismatches},
-          {"shown", shown}};
+            {"target", cases::name_of(v.build.target)},
+            {"mul_round", v.build.mul_round},
+            {"div_round", v.build.div_round},
+            {"chapter", v.build.chapter_52 ? 52 : 54},
+            {"repaired", v.build.repaired},
+            {routine_format ? "width" : "format", format},
+            {"parties", row.parties},
+            {"streams", streams},
+            {"cases", found.cases},
+            {"faults", found.faults},
+            {"mismatches", found.mismatches},
+            {"shown", shown}};
   if (v.from) json["to"] = cases::name_of(v.format);
   return json;
 }

@@ -158,7 +158,8 @@ cases::Row row_in(const Document& json) {
   if (json.contains("format")) {
     read_formats(json, v);
   } else {
-    v.format = is_second<std::string>(json.at("width"), "full", "half") ? cases::q8_8 : cases::q16_16;
+    v.format =
+        is_second<std::string>(json.at("width"), "full", "half") ? cases::q8_8 : cases::q16_16;
   }
   row.parties = json.at("parties").get<std::vector<std::string>>();
   return row;
@@ -186,8 +187,10 @@ Findings findings_in(const Document& json, const cases::Row& row) {
     Mismatch& m = found.shown.emplace_back();
     m.chunk = count_in(shown.at("chunk"));
     m.index = count_in(shown.at("case"));
-    m.words = words_in_text(shown.at("words").get<std::string>(), cases::operand_format(row.variant));
-    m.smallest = words_in_text(shown.at("smallest").get<std::string>(), cases::operand_format(row.variant));
+    m.words =
+        words_in_text(shown.at("words").get<std::string>(), cases::operand_format(row.variant));
+    m.smallest =
+        words_in_text(shown.at("smallest").get<std::string>(), cases::operand_format(row.variant));
     const Document& said = shown.at("said");
     if (said.empty()) continue;
     for (const std::string& party : row.parties) {

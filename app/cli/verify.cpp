@@ -128,9 +128,10 @@ void print_heading(const VerifyOptions& options, const verify::Report& report) {
     std::cout << (has_formats(options.selection)
                       ? "Level 3 tries all cases, and leaves out rows that have more than 2^32."
                       : "Level 3 tries all pairs of 8.8 words, all 16.16 words and all angles.");
-    std::cout << (options.selection.to.empty()
-                      ? " Without\n--against, fast replaces oracle; levels 1 and 2 compare the two.\n"
-                      : "\n");
+    std::cout
+        << (options.selection.to.empty()
+                ? " Without\n--against, fast replaces oracle; levels 1 and 2 compare the two.\n"
+                : "\n");
   }
   if (report.shard.count > 1) {
     std::cout << fmt::format("Shard {}: {} of {} chunks\n", options.shard,
@@ -249,9 +250,10 @@ void add_options(CLI::App& command, VerifyOptions& options) {
       ->delimiter(',')
       ->check(not_empty());
   command
-      .add_option("--to", selection.to,
-                  "format of the results, such as q2_30; by default that of the words, which is then "
-                  "q16_16")
+      .add_option(
+          "--to", selection.to,
+          "format of the results, such as q2_30; by default that of the words, which is then "
+          "q16_16")
       ->check(not_empty());
   command
       .add_option("--level", selection.level,

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "oracle/function.hpp"
 #include "oracle/format.hpp"
+#include "oracle/function.hpp"
 #include "oracle/whole_function.hpp"
 #include "verify/cases/value.hpp"
 

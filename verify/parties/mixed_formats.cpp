@@ -21,11 +21,33 @@ using Result = std::optional<std::uint64_t>;
 using Mixed = NumberList<q8_8, q24_8, q16_16, q2_30, u16_16>;
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): lists for macros
-#define MIXED_OF_ONE(X)                                                                           \
-  X(sqrt) X(exp2) X(exp) X(expm1) X(log2) X(log) X(log10) X(log1p) X(sinh) X(cosh) X(tanh) X(sin) \
-  X(cos) X(tan) X(sin_of_degrees) X(cos_of_degrees) X(tan_of_degrees) X(sin_of_turns)             \
-  X(cos_of_turns) X(tan_of_turns) X(asin) X(acos) X(atan)
-#define MIXED_OF_TWO(X) X(atan2) X(hypot)
+#define MIXED_OF_ONE(X) \
+  X(sqrt)               \
+  X(exp2)               \
+  X(exp)                \
+  X(expm1)              \
+  X(log2)               \
+  X(log)                \
+  X(log10)              \
+  X(log1p)              \
+  X(sinh)               \
+  X(cosh)               \
+  X(tanh)               \
+  X(sin)                \
+  X(cos)                \
+  X(tan)                \
+  X(sin_of_degrees)     \
+  X(cos_of_degrees)     \
+  X(tan_of_degrees)     \
+  X(sin_of_turns)       \
+  X(cos_of_turns)       \
+  X(tan_of_turns)       \
+  X(asin)               \
+  X(acos)               \
+  X(atan)
+#define MIXED_OF_TWO(X) \
+  X(atan2)              \
+  X(hypot)
 // NOLINTEND(cppcoreguidelines-macro-usage)
 
 /// Empty for a zero divisor.
@@ -94,7 +116,8 @@ void answer_mixed_exactly(const cases::Variant& v, const Cases& asked) {
 
 bool is_of_type_mixed(const cases::Variant& v) {
   const auto is_mixed = [](const cases::Format& format) {
-    return with_number_in(format, [](auto /*type*/) {}, Mixed());
+    return with_number_in(
+        format, [](auto /*type*/) {}, Mixed());
   };
   return has_mixed(v.operation) && is_mixed(*v.from) && is_mixed(v.format);
 }
@@ -104,9 +127,8 @@ void answer_mixed_by_type(const cases::Variant& v, const Cases& asked) {
                                                 std::type_identity<To> /*type*/) {
     if constexpr (!std::is_same_v<From, To>) {
       each_case_in(v, asked, [&](const Operands& in) -> Result {
-        const auto result =
-            computed<To>(v.operation, number_from<From>(in[0]), number_from<From>(in[1]),
-                         number_from<From>(in[2]));
+        const auto result = computed<To>(v.operation, number_from<From>(in[0]),
+                                         number_from<From>(in[1]), number_from<From>(in[2]));
         if (!result) return std::nullopt;
         return bits_of(*result);
       });
@@ -115,7 +137,8 @@ void answer_mixed_by_type(const cases::Variant& v, const Cases& asked) {
   with_number_in(
       *v.from,
       [&](auto from) {
-        with_number_in(v.format, [&](auto to) { answer(from, to); }, Mixed());
+        with_number_in(
+            v.format, [&](auto to) { answer(from, to); }, Mixed());
       },
       Mixed());
 }

@@ -140,11 +140,10 @@ TEST(MixedFormats, AWrongPartyIsFoundAndTheReportIsReadBack) {
     report.seconds = 0;
     EXPECT_GT(report.mismatches(), 1000U);
     ASSERT_EQ(report.findings[0].shown.size(), 3U);
-    const verify::Replay again =
-        verify::replay(report.plan.rows()[0], report.findings[0].shown[0]);
-    EXPECT_NE(again.verify.find(fmt::format("verify mul --format {} --to {} --case", operands,
-                                            results)),
-              std::string::npos)
+    const verify::Replay again = verify::replay(report.plan.rows()[0], report.findings[0].shown[0]);
+    EXPECT_NE(
+        again.verify.find(fmt::format("verify mul --format {} --to {} --case", operands, results)),
+        std::string::npos)
         << again.verify;
     EXPECT_TRUE(again.trace.empty());
     const verify::Report back = verify::from_json(verify::to_json(report));
