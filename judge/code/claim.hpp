@@ -25,7 +25,8 @@ struct Claim {
   std::string may_fault{};  ///< a Boolean: whether #DE is right
   /// A Boolean: whether the word that replaces {} is right.
   std::string is_right{};
-  /// Booleans of which one always holds: each is a question of its own, which takes less time.
+  /// Conditions that together hold for all operands. The solver is asked about one after the other,
+  /// because that takes less time than all at once.
   std::vector<std::string> cases{"true"};
 };
 

@@ -4,6 +4,7 @@
 
 #include "fixed/fixed.hpp"
 #include "oracle/format.hpp"
+#include "oracle/function_names.hpp"
 #include "verify/cases/exact_value.hpp"
 #include "verify/cases/value.hpp"
 #include "verify/parties/formats.hpp"
@@ -20,39 +21,10 @@ using Result = std::optional<std::uint64_t>;
 /// Every ordered pair of these has its own functions, so there are few.
 using Mixed = NumberList<q8_8, q24_8, q16_16, q2_30, u16_16>;
 
-// NOLINTBEGIN(cppcoreguidelines-macro-usage): lists for macros
-#define MIXED_OF_ONE(X) \
-  X(sqrt)               \
-  X(exp2)               \
-  X(exp)                \
-  X(expm1)              \
-  X(log2)               \
-  X(log)                \
-  X(log10)              \
-  X(log1p)              \
-  X(sinh)               \
-  X(cosh)               \
-  X(tanh)               \
-  X(sin)                \
-  X(cos)                \
-  X(tan)                \
-  X(sin_of_degrees)     \
-  X(cos_of_degrees)     \
-  X(tan_of_degrees)     \
-  X(sin_of_turns)       \
-  X(cos_of_turns)       \
-  X(tan_of_turns)       \
-  X(asin)               \
-  X(acos)               \
-  X(atan)
-#define MIXED_OF_TWO(X) \
-  X(atan2)              \
-  X(hypot)
-// NOLINTEND(cppcoreguidelines-macro-usage)
-
-/// Empty for a zero divisor.
-template <class To, class From>
-std::optional<To> computed(Operation operation, From x, From y, From z) {
+/// The result; empty for a zero divisor. Calls `lacking` for a function that has no results of
+/// another format, such as cbrt.
+template <class To, class From, class Lacking>
+std::optional<To> computed(Operation operation, From x, From y, From z, const Lacking& lacking) {
   switch (operation) {
     case Operation::add:
       return fixproof::add<To>(x, y);
@@ -63,38 +35,38 @@ std::optional<To> computed(Operation operation, From x, From y, From z) {
     case Operation::div:
       if (y == From()) return std::nullopt;
       return fixproof::divide<To>(x, y);
+    case Operation::sqrt:
+      return fixproof::sqrt<To>(x);
     case Operation::hypot3:
       return fixproof::hypot<To>(x, y, z);
-#define OF_ONE(name)    \
-  case Operation::name: \
-    return fixproof::name<To>(x);
-      MIXED_OF_ONE(OF_ONE)
-#undef OF_ONE
-#define OF_TWO(name)    \
-  case Operation::name: \
-    return fixproof::name<To>(x, y);
-      MIXED_OF_TWO(OF_TWO)
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): cases of a switch
+#define WITH(name, ...)                                            \
+  case Operation::name:                                            \
+    if constexpr (requires { fixproof::name<To>(__VA_ARGS__); }) { \
+      return fixproof::name<To>(__VA_ARGS__);                      \
+    }                                                              \
+    break;
+#define OF_ONE(name) WITH(name, x)
+#define OF_TWO(name) WITH(name, x, y)
+      // NOLINTEND(cppcoreguidelines-macro-usage)
+      ORACLE_FUNCTIONS_OF_ONE(OF_ONE)
+      ORACLE_FUNCTIONS_OF_TWO(OF_TWO)
 #undef OF_TWO
+#undef OF_ONE
+#undef WITH
     default:
-      throw std::invalid_argument("the type has no results of another format");
+      break;
   }
+  lacking();
+  return std::nullopt;
 }
 
+/// Tells whether the type has results of another format. It is the same for every pair.
 bool has_mixed(Operation operation) {
-  switch (operation) {
-    case Operation::add:
-    case Operation::sub:
-    case Operation::mul:
-    case Operation::div:
-    case Operation::hypot3:
-#define CASE(name) case Operation::name:
-      MIXED_OF_ONE(CASE)
-      MIXED_OF_TWO(CASE)
-#undef CASE
-      return true;
-    default:
-      return false;
-  }
+  bool has = true;
+  static_cast<void>(
+      computed<q2_30>(operation, q16_16(1), q16_16(1), q16_16(1), [&] { has = false; }));
+  return has;
 }
 
 }  // namespace
@@ -128,7 +100,7 @@ void answer_mixed_by_type(const cases::Variant& v, const Cases& asked) {
     if constexpr (!std::is_same_v<From, To>) {
       each_case_in(v, asked, [&](const Operands& in) -> Result {
         const auto result = computed<To>(v.operation, number_from<From>(in[0]),
-                                         number_from<From>(in[1]), number_from<From>(in[2]));
+                                         number_from<From>(in[1]), number_from<From>(in[2]), [] {});
         if (!result) return std::nullopt;
         return bits_of(*result);
       });
