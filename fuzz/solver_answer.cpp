@@ -58,7 +58,7 @@ const std::array<Claim, 5>& claims() {
 
 std::uint32_t word(std::string_view model, std::string_view name) {
   try {
-    return proof::word_in_model(model, name);
+    return static_cast<std::uint32_t>(proof::word_in_model(model, name));
   } catch (const std::exception& error) {
     fuzz::report_finding(fmt::format("accepted, but no word for {}: {}", name, error.what()));
   }

@@ -93,12 +93,9 @@ std::string text_of(const judge::Ending& ending, const judge::Image& image) {
     case judge::End::divide_error:
       return "raises a divide error (#DE) " + at;
     case judge::End::bad_address:
-      for (const judge::Symbol& symbol : image.missing) {
-        if (ending.address - symbol.offset + judge::Symbol::reach >= 2 * judge::Symbol::reach) {
-          continue;
-        }
+      if (const judge::Symbol* const missing = image.missing_at(ending.address)) {
         return fmt::format("uses {}, which the object does not have, {}; add it with ld -r",
-                           support::quoted(symbol.name), at);
+                           support::quoted(missing->name), at);
       }
       return fmt::format("uses memory at {:x}h, where there is none, {}", ending.address, at);
     case judge::End::interrupt:

@@ -22,7 +22,8 @@ inline constexpr std::initializer_list<Shape> shapes{Shape::of_signed, Shape::of
 
 struct Claim {
   std::string definitions{};
-  std::string may_fault{};  ///< a Boolean: whether #DE is right
+  std::string may_fault{};         ///< a Boolean: whether #DE is right
+  std::string may_trap = "false";  ///< a Boolean: whether UD2 is right
   /// A Boolean: whether the word that replaces {} is right.
   std::string is_right{};
   /// Conditions that together hold for all operands. The solver is asked about one after the other,

@@ -134,7 +134,7 @@ std::vector<Parameter> parameters_of(const cases::Variant& v) {
 
 namespace {
 
-/// The conventions of 64-bit code: operands in registers, in the order of the parameters.
+/// The conventions of 64-bit code.
 Frame frame_of_64_bits(std::string_view text, const cases::Variant& variant) {
   const bool is_windows = text == "ms";
   if (!is_windows && text != "c" && text != "sysv") {
@@ -143,28 +143,31 @@ Frame frame_of_64_bits(std::string_view text, const cases::Variant& variant) {
                     "'edi, esi -> eax'",
                     support::quoted(text)));
   }
-  constexpr std::array<unsigned, 3> system_v{7, 6, 2};  // RDI, RSI, RDX
-  constexpr std::array<unsigned, 3> windows{1, 2, 8};   // RCX, RDX, R8
-  Frame frame{.text = std::string(is_windows ? "ms" : "sysv"), .on_stack = false};
-  const auto numbers = is_windows ? windows : system_v;
   const auto parameters = parameters_of(variant);
-  bool returns = true;
+  const bool returns = std::none_of(parameters.begin(), parameters.end(),
+                                    [](const Parameter& p) { return p.is_result; });
+  return convention_of_64_bits(is_windows, parameters, returns ? variant.format.word_bits : 0);
+}
+
+}  // namespace
+
+Frame convention_of_64_bits(bool is_windows, std::span<const Parameter> parameters,
+                            int result_bits) {
+  constexpr std::array<unsigned, 4> system_v{7, 6, 2, 1};  // RDI, RSI, RDX, RCX
+  constexpr std::array<unsigned, 4> windows{1, 2, 8, 9};   // RCX, RDX, R8, R9
+  Frame frame{.text = is_windows ? "ms" : "sysv", .on_stack = false};
+  const auto numbers = is_windows ? windows : system_v;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const Parameter& p = parameters[i];
     const int bits = p.is_pointer || p.bits > 32 ? 64 : 32;
     frame.in.push_back({{whole_register(numbers.at(i), bits)}, p.is_pointer});
-    returns = returns && !p.is_result;
   }
-  if (returns) {
-    frame.out.push_back({{whole_register(0, variant.format.word_bits > 32 ? 64 : 32)}});
-  }
+  if (result_bits > 0) frame.out.push_back({{whole_register(0, result_bits > 32 ? 64 : 32)}});
   std::vector<unsigned> kept{3, 5, 12, 13, 14, 15};  // RBX, RBP, R12 to R15
   if (is_windows) kept.insert(kept.end(), {6, 7});
   for (const unsigned number : kept) frame.kept.push_back(whole_register(number, 64));
   return frame;
 }
-
-}  // namespace
 
 Frame frame_named(std::string_view text, int bits, const cases::Variant& variant) {
   const std::size_t arrow = text.find("->");

@@ -2,6 +2,7 @@
 /// Calling conventions: where a routine finds its operands and leaves its results.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,12 @@ struct Parameter {
 /// Returns the parameters of a routine that computes an operation: its operands, then its results
 /// behind pointers. A result that is not a parameter is the return value.
 std::vector<Parameter> parameters_of(const cases::Variant& variant);
+
+/// Returns the convention of 64-bit code, of Windows or of System V.
+/// @param parameters  at most 4
+/// @param result_bits of the value that it returns; 0 if it returns none
+Frame convention_of_64_bits(bool is_windows, std::span<const Parameter> parameters,
+                            int result_bits);
 
 /// Parses `c`, `c-far`, `pascal`, `pascal-far`, `stdcall`, or registers:
 /// `eax, ebx -> eax`, `dx:ax, cx:bx -> dx:ax keeps si, di`, `[si], [bx], [di] ->`. In 64-bit code

@@ -37,6 +37,14 @@ struct Image {
   std::uint32_t data = 0;       ///< offset in the data segment of what pointers point to
   std::uint32_t exit = 0;       ///< offset in the code segment of where the routine returns to
 
+  /// Returns the missing name that an address belongs to, or null.
+  [[nodiscard]] const Symbol* missing_at(std::uint32_t address) const {
+    for (const Symbol& symbol : missing) {
+      if (address - symbol.offset + Symbol::reach < 2 * Symbol::reach) return &symbol;
+    }
+    return nullptr;
+  }
+
   [[nodiscard]] static std::uint32_t linear(std::uint16_t segment, std::uint32_t offset) {
     return 16U * segment + offset;
   }

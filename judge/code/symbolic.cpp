@@ -42,10 +42,12 @@ constexpr std::size_t max_steps = 20'000;
 
 class Explorer : public sym::Explorer<Path> {
  public:
-  Explorer(const Subject& subject, Listing& listing, sym::Terms& terms)
+  Explorer(const Image& image, const Frame& frame, const Signature& signature, Listing& listing,
+           sym::Terms& terms)
       : sym::Explorer<Path>(terms, max_paths),
-        image_(subject.image),
-        subject_(subject),
+        image_(image),
+        frame_(frame),
+        signature_(signature),
         listing_(listing) {}
 
   /// The entry of the routine, called with its operands.
@@ -56,7 +58,7 @@ class Explorer : public sym::Explorer<Path> {
       thread.state.registers.at(r) = t_.variable(sym::numbered("register", r), std::max(width, 32));
     }
     ImageMachine machine(image_, t_, thread.state);
-    const auto parameters = parameters_of(subject_.variant);
+    const auto& parameters = signature_.operands;
     std::uint32_t top = image_.stack_top;
     if (width == 64) top -= bytes_of_home;
     const auto push_all = [&](std::size_t i) {
@@ -64,23 +66,22 @@ class Explorer : public sym::Explorer<Path> {
       top -= static_cast<std::uint32_t>(t_.width(value) / 8);
       machine.store_at(image_.data_at(top), value);
     };
-    const Frame& frame = subject_.frame;
-    for (std::size_t i = 0; frame.on_stack && i < parameters.size(); ++i) {
-      push_all(frame.first_is_top ? parameters.size() - 1 - i : i);
+    for (std::size_t i = 0; frame_.on_stack && i < parameters.size(); ++i) {
+      push_all(frame_.first_is_top ? parameters.size() - 1 - i : i);
     }
-    after_ = frame.callee_pops ? image_.stack_top : top;
-    for (std::size_t i = 0; i < frame.in.size(); ++i) {
-      if (frame.in[i].is_pointer) throw Obstacle("operands behind pointers are not modelled");
+    after_ = frame_.callee_pops ? image_.stack_top : top;
+    for (std::size_t i = 0; i < frame_.in.size(); ++i) {
+      if (frame_.in[i].is_pointer) throw Obstacle("operands behind pointers are not modelled");
       int bits = 0;
-      for (const RegisterName& part : frame.in[i].parts) bits += bits_of(part);
+      for (const RegisterName& part : frame_.in[i].parts) bits += bits_of(part);
       const Term value = extended(parameters[i], i, bits);
-      for (const RegisterName& part : frame.in[i].parts) {
+      for (const RegisterName& part : frame_.in[i].parts) {
         bits -= bits_of(part);
         machine.put(part, t_.extract(value, bits, bits_of(part)));
       }
     }
     const std::uint32_t slot = static_cast<std::uint32_t>(width) / 8;
-    if (frame.is_far) {
+    if (frame_.is_far) {
       top -= slot;
       machine.store_at(image_.data_at(top), t_.constant(image_.code_segment, width));
     }
@@ -109,7 +110,12 @@ class Explorer : public sym::Explorer<Path> {
       throw Obstacle(fmt::format("a path has more than {} instructions", max_steps));
     }
     const std::uint32_t linear = image_.code_at(at);
-    if (linear < image_.first || linear >= image_.end) throw Obstacle("a path leaves the code");
+    if (linear < image_.first || linear >= image_.end) {
+      const Symbol* const missing = image_.missing_at(linear);
+      throw Obstacle(missing == nullptr
+                         ? "a path leaves the code"
+                         : fmt::format("it calls {}, which the object does not have", missing->name));
+    }
     try {
       return execute(thread, listing_.decoded_at(at)) && is_possible(thread);
     } catch (const Obstacle& obstacle) {
@@ -125,11 +131,10 @@ class Explorer : public sym::Explorer<Path> {
     const ImageMachine machine(image_, t_, thread.state);
     const ImageMachine before(image_, t_, begin_);
     Path path{.condition = thread.condition};
-    const int bits = subject_.variant.format.word_bits;
-    const Frame& frame = subject_.frame;
+    const int bits = signature_.result_bits;
     std::vector<RegisterName> parts;
-    if (!frame.on_stack) {
-      parts = frame.out.front().parts;
+    if (!frame_.on_stack) {
+      parts = frame_.out.front().parts;
     } else {
       if (bits > image_.bits) parts.push_back({Register::dx, machine.word()});
       parts.push_back({Register::ax, machine.word()});
@@ -141,7 +146,7 @@ class Explorer : public sym::Explorer<Path> {
     }
     path.result = t_.extract(*value, 0, bits);
     path.kept = t_.equal(machine.read(stack_pointer()), t_.constant(after_, image_.bits));
-    for (const RegisterName& kept : frame.kept) {
+    for (const RegisterName& kept : frame_.kept) {
       path.kept = t_.both(path.kept, t_.equal(machine.read(kept), before.read(kept)));
     }
     paths_.push_back(path);
@@ -154,6 +159,10 @@ class Explorer : public sym::Explorer<Path> {
     if (m == "nop" || m.starts_with("endbr")) {
       thread.position = next;
       return true;
+    }
+    if (m == "ud2") {
+      paths_.push_back({.condition = thread.condition, .traps = true});
+      return false;
     }
     if (code.has_repeat || code.overrides_segment || code.operands.size() > 3) not_modelled();
     Instruction i{.count = code.operands.size()};
@@ -379,7 +388,8 @@ class Explorer : public sym::Explorer<Path> {
   }
 
   const Image& image_;
-  const Subject& subject_;
+  const Frame& frame_;
+  const Signature& signature_;
   Listing& listing_;
   sym::State begin_;
   std::uint32_t after_ = 0;  ///< the right SP after the return
@@ -389,10 +399,11 @@ class Explorer : public sym::Explorer<Path> {
 
 std::string operand_name(std::size_t index) { return {static_cast<char>('a' + index)}; }
 
-SymbolicRun run_symbolically(const Subject& subject, Listing& listing, sym::Terms& terms) {
+SymbolicRun run_symbolically(const Image& image, const Frame& frame, const Signature& signature,
+                             Listing& listing, sym::Terms& terms) {
   SymbolicRun run;
   try {
-    Explorer explorer(subject, listing, terms);
+    Explorer explorer(image, frame, signature, listing, terms);
     run.paths = explorer.all(explorer.start());
   } catch (const Obstacle& obstacle) {
     run.obstacle = obstacle.what();

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "judge/code/listing.hpp"
-#include "judge/code/runner.hpp"
+#include "judge/code/frame.hpp"
 #include "x86model/symbolic/state.hpp"
 #include "x86model/symbolic/term.hpp"
 
@@ -16,9 +16,13 @@ namespace fixproof::judge {
 /// One way through the routine.
 struct Path {
   x86model::symbolic::Term condition;
-  bool divide_error = false;          ///< whether it ends in #DE, not in a return
-  x86model::symbolic::Term result{};  ///< one word
-  x86model::symbolic::Term kept{};    ///< whether all registers that must be preserved are
+  bool divide_error = false;          ///< whether it ends in #DE
+  bool traps = false;                 ///< whether it ends in UD2
+  x86model::symbolic::Term result{};  ///< if it returns
+  /// Whether all registers that must be preserved are, if it returns.
+  x86model::symbolic::Term kept{};
+
+  [[nodiscard]] bool returns() const { return !divide_error && !traps; }
 };
 
 struct SymbolicRun {
@@ -27,12 +31,19 @@ struct SymbolicRun {
   std::string obstacle{};
 };
 
-/// Returns the name of an operand's variable in the terms: a, b or c. The variable is one word.
+/// What a routine takes and returns.
+struct Signature {
+  std::vector<Parameter> operands{};  ///< numbers
+  int result_bits = 0;
+};
+
+/// Returns the name of an operand's variable in the terms: a, b, c or d. The variable has the bits
+/// of the operand.
 std::string operand_name(std::size_t index);
 
 /// Follows every path of a routine that takes and returns plain numbers. Products and quotients
 /// become the abstract functions of x86model/symbolic/domain.hpp.
-SymbolicRun run_symbolically(const Subject& subject, Listing& listing,
-                             x86model::symbolic::Terms& terms);
+SymbolicRun run_symbolically(const Image& image, const Frame& frame, const Signature& signature,
+                             Listing& listing, x86model::symbolic::Terms& terms);
 
 }  // namespace fixproof::judge

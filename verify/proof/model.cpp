@@ -110,13 +110,13 @@ std::string fault_of_model(std::string_view script, std::string_view model) {
   }
 }
 
-std::uint32_t word_in_model(std::string_view model, std::string_view name) {
+std::uint64_t word_in_model(std::string_view model, std::string_view name) {
   const auto definitions = read_expressions(model);
   Question all;
   add_model(definitions, all);
   const auto found = all.functions.find(std::string(name));
   if (found == all.functions.end()) return 0;
-  return static_cast<std::uint32_t>(
+  return static_cast<std::uint64_t>(
       Evaluator(all.functions).value_of({.atom = found->first}).number);
 }
 

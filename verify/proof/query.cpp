@@ -198,7 +198,8 @@ std::vector<std::uint32_t> operands_in(const cases::Variant& v, const std::strin
   const x86::Routine routine = machine_code::key_of(v).routine;
   std::vector<std::uint32_t> values;
   for (int i = 0; i < x86::arity(routine).in; ++i) {
-    values.push_back(word_in_model(model, sym::operand_name(routine, i)));
+    values.push_back(
+        static_cast<std::uint32_t>(word_in_model(model, sym::operand_name(routine, i))));
   }
   return values;
 }

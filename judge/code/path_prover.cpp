@@ -1,0 +1,75 @@
+#include "judge/code/path_prover.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "verify/proof/model.hpp"
+#include "x86model/symbolic/smt.hpp"
+
+namespace fixproof::judge {
+
+namespace sym = x86model::symbolic;
+using proof::Satisfiability;
+using proof::Standing;
+
+std::optional<MachineDivide> divide_of(sym::Terms& terms, const Path& path) {
+  if (!path.returns()) return std::nullopt;
+  return divide_in(terms, std::array{path.condition, path.result});
+}
+
+std::string question(const Paths& paths, const Path& path, const Claim& claim,
+                     const std::string& in_case, proof::Arithmetic arithmetic) {
+  sym::Terms& terms = paths.terms;
+  std::vector<sym::Term> roots{path.condition};
+  std::string right = path.traps ? claim.may_trap : claim.may_fault;
+  if (path.returns()) {
+    roots.push_back(path.result);
+    roots.push_back(path.kept);
+    right = fmt::format("(and {} {})", sym::name_in_smt(terms, path.kept),
+                        fmt::format(fmt::runtime(claim.is_right),
+                                    sym::name_in_smt(terms, path.result)));
+  }
+  if (const auto divide = divide_of(terms, path)) {
+    for (const sym::Term part :
+         {divide->dividend, divide->divisor, divide->quotient, divide->remainder}) {
+      roots.push_back(part);
+    }
+  }
+  std::vector<sym::Term> declared = roots;
+  for (std::size_t i = 0; i < paths.operands.size(); ++i) {
+    declared.push_back(terms.variable(operand_name(i), paths.operands[i].bits));
+  }
+  return fmt::format(
+      "(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}{}(assert {})\n"
+      "(assert {})\n(assert (not {}))\n(check-sat)\n",
+      proof::abstractions(arithmetic), declare_quotients(arithmetic),
+      sym::declare_variables(terms, declared), sym::define(terms, roots), claim.definitions,
+      sym::name_in_smt(terms, path.condition), in_case, right);
+}
+
+PathAnswer ask_all(const Paths& paths, const std::function<Claim(const Path&)>& claim,
+                   proof::Arithmetic arithmetic, const Ask& ask,
+                   const std::function<bool(std::span<const std::uint64_t>)>& fails) {
+  PathAnswer result{.standing = Standing::proven};
+  for (const Path& path : paths.all) {
+    const Claim claimed = claim(path);
+    for (const std::string& one : claimed.cases) {
+      const proof::SolverAnswer answer = ask(question(paths, path, claimed, one, arithmetic));
+      result.seconds += answer.seconds;
+      if (answer.verdict == Satisfiability::unsatisfiable) continue;
+      result.standing = proof::standing_of(answer.verdict);
+      result.remark = answer.remark;
+      if (answer.verdict != Satisfiability::satisfiable) return result;
+      std::vector<std::uint64_t> words;
+      for (std::size_t i = 0; i < paths.operands.size(); ++i) {
+        words.push_back(proof::word_in_model(answer.model, operand_name(i)));
+      }
+      result.standing = fails(words) ? Standing::disproven : Standing::open;
+      return result;
+    }
+  }
+  return result;
+}
+
+}  // namespace fixproof::judge
