@@ -11,6 +11,7 @@
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/print_error.hpp"
+#include "app/cli/prove_type.hpp"
 #include "app/cli/selection.hpp"
 #include "app/cli/solver_options.hpp"
 #include "support/file.hpp"
@@ -314,7 +315,10 @@ Examples:
   fixproof prove mul div --solver both
   fixproof prove div --target i8088 --round on --mutant 3
   fixproof prove --write proofs && z3 proofs/mul-i386-on-1.smt2)");
-  command->callback([options, &status] { status = run(*options); });
+  add_prove_type(*command, status);
+  command->callback([options, command, &status] {
+    if (command->get_subcommands().empty()) status = run(*options);
+  });
 }
 
 }  // namespace fixproof::cli

@@ -62,7 +62,7 @@ struct Result {
 };
 
 void count(const singlestep::Case& c, x86model::Cpu cpu, const std::string& file, Result& result) {
-  const auto verdict = judge(c, cpu);
+  const auto verdict = fixproof::singlestep::judge(c, cpu);
   Counts& counts = result.counts;
   if (const Skip* reason = std::get_if<Skip>(&verdict)) {
     ++counts.skipped[static_cast<std::size_t>(*reason)];

@@ -26,9 +26,9 @@ std::string question(const Paths& paths, const Path& path, const Claim& claim,
   if (path.returns()) {
     roots.push_back(path.result);
     roots.push_back(path.kept);
-    right = fmt::format("(and {} {})", sym::name_in_smt(terms, path.kept),
-                        fmt::format(fmt::runtime(claim.is_right),
-                                    sym::name_in_smt(terms, path.result)));
+    right = fmt::format(
+        "(and {} {})", sym::name_in_smt(terms, path.kept),
+        fmt::format(fmt::runtime(claim.is_right), sym::name_in_smt(terms, path.result)));
   }
   if (const auto divide = divide_of(terms, path)) {
     for (const sym::Term part :

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -33,10 +34,9 @@ class Prover {
                    .result_bits = subject.variant.format.word_bits} {}
 
   RoutineProof prove() {
-    if (!claim_of(rules_, Shape::of_signed) && !quotient_claim(rules_, terms_, {}, false)) {
+    if (!is_claimable()) {
       proof_.why =
-          "only mul, add and sub of signed words of 16 and 32 bits, div of up to 32 bits, and "
-          "muldiv "
+          "only mul, add and sub of words of 8, 16 and 32 bits, div of up to 32 bits, and muldiv "
           "if --overflow and --no-result are any or de can be proven, and a --rule only if general "
           "rules express it or it is Doom's";
       return proof_;
@@ -69,6 +69,12 @@ class Prover {
   }
 
  private:
+  [[nodiscard]] bool is_claimable() const {
+    const auto has_claim = [&](Shape shape) { return claim_of(rules_, shape).has_value(); };
+    return std::any_of(shapes.begin(), shapes.end(), has_claim) ||
+           quotient_claim(rules_, terms_, {}, false);
+  }
+
   /// Compares the terms with the machine, because a wrong decoding would make a wrong proof.
   bool terms_are_those_of_machine() {
     check::GeneratedCases cases(subject_.variant, {.cases = cases_to_compare});

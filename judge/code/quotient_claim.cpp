@@ -53,8 +53,9 @@ Bounds bounds_of(Rounding rounding) {
 class Writer {
  public:
   Writer(const check::Rules& rules, const sym::Terms& terms,
-         const std::optional<MachineDivide>& divide, bool halves)
+         const std::optional<MachineDivide>& divide, bool halves, const DivideRules& more)
       : rules_(rules),
+        more_(more),
         format_(rules.variant.format),
         terms_(terms),
         divide_(divide),
@@ -72,20 +73,21 @@ class Writer {
       add("(define-fun found () Bool false)");
       add("(define-fun k () {} {})", sort(), number(0));
     }
-    add("(define-fun word () (_ BitVec {0}) ((_ extract {1} 0) k))", word_, word_ - 1);
+    add("(define-fun cut () (_ BitVec {0}) ((_ extract {1} 0) k))", word_, word_ - 1);
     const bool any_overflow = rules_.overflow == check::Overflow::any;
     const bool may_overflow = any_overflow || rules_.overflow == check::Overflow::error;
     Claim claim;
     claim.definitions = text_;
     claim.cases = signs();
     claim.may_fault = fmt::format(
-        "(or (and lacks {}) (and (not lacks) (not fits) {}))",
+        "(ite lacks {} (or faults (and (not fits) {})))",
         rules_.no_result == check::NoResult::any || rules_.no_result == check::NoResult::error
             ? "true"
             : "false",
         may_overflow ? "true" : "false");
-    claim.is_right = fmt::format("(ite lacks {} (ite fits (and found (= {{0}} word)) {}))",
-                                 without_quotient(), out_of_range());
+    claim.is_right =
+        fmt::format("(ite lacks {} (and (not faults) (ite fits (and found (= {{0}} cut)) {})))",
+                    without_quotient(), out_of_range());
     return claim;
   }
 
@@ -106,11 +108,22 @@ class Writer {
 
   void define_operands() {
     add("(define-fun size ((x {0})) {0} (ite (bvslt x {1}) (bvneg x) x))", sort(), number(0));
-    add("(define-fun exact-divisor () {} {})", sort(), widened("b", word_, format_.is_signed));
+    const std::string divisor = widened("b", word_, format_.is_signed);
+    const std::string whole =
+        fmt::format("(bvlshr (size {}) {})", divisor, number(format_.fraction_bits));
+    add("(define-fun exact-divisor () {} {})", sort(),
+        more_.divides_by_whole_part
+            ? fmt::format("(ite (bvslt {0} {1}) (bvneg {2}) {2})", divisor, number(0), whole)
+            : divisor);
     add("(define-fun lacks () Bool (= exact-divisor {}))", number(0));
     add("(define-fun d () {} (size exact-divisor))", sort());
     add("(define-fun doubled () {} (bvshl {} {}))", sort(), widened("a", word_, format_.is_signed),
-        number(format_.fraction_bits + 1));
+        number(more_.divides_by_whole_part ? 1 : format_.fraction_bits + 1));
+    // The truncated magnitude of the quotient is at least 2^word_bits.
+    add("(define-fun faults () Bool {})",
+        more_.faults_beyond_bits
+            ? fmt::format("(bvsge (size doubled) (bvshl d {}))", number(word_ + 1))
+            : "false");
     add("(define-fun n2 () {} (ite (bvslt exact-divisor {}) (bvneg doubled) doubled))", sort(),
         number(0));
     add("(define-fun is-negative () Bool (bvslt n2 {}))", number(0));
@@ -224,7 +237,7 @@ class Writer {
       case check::Overflow::any:
         return "true";
       case check::Overflow::wrap:
-        return "(and found (= {0} word))";
+        return "(and found (= {0} cut))";
       case check::Overflow::saturate:
         return by_sign(cases::lowest(format_));
       case check::Overflow::symmetric:
@@ -244,8 +257,11 @@ class Writer {
   /// The results for a zero divisor. Rules that depend on the sign also accept 0 for 0 / 0.
   [[nodiscard]] std::string without_quotient() const {
     const auto by_dividend = [&](std::uint64_t low) {
-      return fmt::format("(ite (= doubled {0}) (or {1} {2}) (ite (bvslt doubled {0}) {3} {2}))",
-                         number(0), is_word(0), is_word(cases::highest(format_)), is_word(low));
+      const std::string zero = is_word(0);
+      const std::string high = is_word(cases::highest(format_));
+      return fmt::format("(ite (= doubled {0}) {1} (ite (bvslt doubled {0}) {3} {2}))", number(0),
+                         more_.has_zero_by_zero ? zero : fmt::format("(or {} {})", zero, high),
+                         high, is_word(low));
     };
     switch (rules_.no_result) {
       case check::NoResult::any:
@@ -268,6 +284,7 @@ class Writer {
   }
 
   const check::Rules& rules_;
+  const DivideRules& more_;
   cases::Format format_;
   const sym::Terms& terms_;
   const std::optional<MachineDivide>& divide_;
@@ -328,13 +345,14 @@ std::optional<MachineDivide> divide_in(sym::Terms& terms, std::span<const sym::T
 }
 
 std::optional<Claim> quotient_claim(const check::Rules& rules, const sym::Terms& terms,
-                                    const std::optional<MachineDivide>& divide, bool halves) {
+                                    const std::optional<MachineDivide>& divide, bool halves,
+                                    const DivideRules& more) {
   const cases::Format& format = rules.variant.format;
   if (rules.variant.operation != cases::Operation::div || rules.variant.from || rules.port ||
       format.word_bits > 32 || format.is_decimal || format.fraction_bits < 0) {
     return std::nullopt;
   }
-  return Writer(rules, terms, divide, halves).claim();
+  return Writer(rules, terms, divide, halves, more).claim();
 }
 
 }  // namespace fixproof::judge

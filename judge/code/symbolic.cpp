@@ -112,9 +112,9 @@ class Explorer : public sym::Explorer<Path> {
     const std::uint32_t linear = image_.code_at(at);
     if (linear < image_.first || linear >= image_.end) {
       const Symbol* const missing = image_.missing_at(linear);
-      throw Obstacle(missing == nullptr
-                         ? "a path leaves the code"
-                         : fmt::format("it calls {}, which the object does not have", missing->name));
+      throw Obstacle(missing == nullptr ? "a path leaves the code"
+                                        : fmt::format("it calls {}, which the object does not have",
+                                                      missing->name));
     }
     try {
       return execute(thread, listing_.decoded_at(at)) && is_possible(thread);

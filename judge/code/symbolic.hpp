@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "judge/code/listing.hpp"
 #include "judge/code/frame.hpp"
+#include "judge/code/listing.hpp"
 #include "x86model/symbolic/state.hpp"
 #include "x86model/symbolic/term.hpp"
 

@@ -14,8 +14,8 @@ namespace fixproof::proof {
 /// @return why `model` does not satisfy the script; empty if it does
 std::string fault_of_model(std::string_view script, std::string_view model);
 
-/// Returns the bits, at most 64, of the constant `name` in a model that satisfies its script; 0 if it is
-/// omitted.
+/// Returns the bits, at most 64, of the constant `name` in a model that satisfies its script; 0 if
+/// it is omitted.
 std::uint64_t word_in_model(std::string_view model, std::string_view name);
 
 }  // namespace fixproof::proof
