@@ -145,11 +145,16 @@ class Run {
     const Object& object = objects_[task.object];
     const judge::Image image =
         judge::load_bytes("type.o", object.bytes, {.symbol = task.goal->symbol});
-    return judge::prove(*task.goal, image, [this](const std::string& script) {
+    const judge::Ask ask = [this](const std::string& script) {
       return answers_(script, [this](const std::string& asked) {
         return solver_.ask(asked, options_.solver.seconds);
       });
-    });
+    };
+    try {
+      return judge::prove(*task.goal, image, ask);
+    } catch (const proof::SolverError& error) {
+      return {.why = error.what()};
+    }
   }
 
   void add(const Task& task, const GoalProof& proof) {

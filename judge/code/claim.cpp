@@ -347,7 +347,18 @@ bool has_product(const cases::Format& format, Shape shape) {
 }
 
 std::string define_product(const cases::Format& format, Shape shape) {
-  return filled(signs, format) + product_of(shape, format);
+  // The square of the largest magnitude: abstract arithmetic does not know how large products are.
+  const int bits = product_bits(format);
+  const int word = format.word_bits;
+  const std::string square =
+      format.is_signed
+          ? fmt::format("(bvshl (_ bv1 {0}) (_ bv{1} {0}))", bits, 2 * word - 2)
+          : fmt::format(
+                "(bvsub (bvshl (_ bv1 {0}) (_ bv{1} {0})) (bvsub (bvshl (_ bv1 {0}) (_ "
+                "bv{2} {0})) (_ bv1 {0})))",
+                bits, 2 * word, word + 1);
+  return filled(signs, format) + product_of(shape, format) +
+         fmt::format("(assert (bvule product-size {}))\n", square);
 }
 
 Exact exact_product(const cases::Format& format, Shape shape) {

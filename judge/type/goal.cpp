@@ -4,9 +4,6 @@
 
 #include <array>
 #include <initializer_list>
-#include <utility>
-
-#include "judge/type/exact.hpp"
 
 namespace fixproof::judge {
 
@@ -19,99 +16,13 @@ using check::Rules;
 constexpr int bits_of_int = 32;
 constexpr Parameter int_operand{.bits = bits_of_int};
 
-/// The errors of the type end in UD2, because it is compiled without exceptions. It never faults.
-Claim raised(Claim claim) {
-  claim.may_trap = std::exchange(claim.may_fault, "false");
-  return claim;
-}
-
-Statement stated(const Claim& claim) {
-  return [claim](x86model::symbolic::Terms& /*terms*/, const Path& /*path*/) { return claim; };
-}
-
-Statement rounded(const Exact& exact, const Rules& rules) {
-  return stated(raised(rounded_claim(exact, rules)));
-}
-
-std::vector<Statement> products(const Format& format, const Rules& rules,
-                                Exact (*exact)(const Format&, Shape)) {
-  std::vector<Statement> all;
-  for (const Shape shape : {Shape::of_signed, Shape::of_magnitudes, Shape::of_extended}) {
-    if (has_product(format, shape)) all.push_back(rounded(exact(format, shape), rules));
-  }
-  return all;
-}
-
-std::vector<Statement> quotients(const NumberType& type, const Rules& rules) {
-  std::vector<Statement> all;
-  if (type.format.word_bits > 32) return all;
-  for (const bool halves : {false, true}) {
-    all.push_back(
-        [rules, halves, more = type.divide](x86model::symbolic::Terms& terms, const Path& path) {
-          return raised(*quotient_claim(rules, terms, divide_of(terms, path), halves, more));
-        });
-  }
-  return all;
-}
-
-std::vector<Statement> remainders(const Format& format, const Rules& rules) {
-  std::vector<Statement> all;
-  for (const RemainderBy by :
-       {RemainderBy::idiv_64, RemainderBy::div_64, RemainderBy::idiv_32, RemainderBy::div_32}) {
-    const bool is_signed = by == RemainderBy::idiv_64 || by == RemainderBy::idiv_32;
-    const bool is_wide = by == RemainderBy::idiv_64 || by == RemainderBy::div_64;
-    const int room = (is_wide ? 64 : 32) - format.word_bits;
-    if (room < 0 || is_signed != format.is_signed) continue;
-    Claim claim = rounded_claim(exact_remainder(format, by), rules);
-    // A zero divisor is an error, or has the remainder 0.
-    const bool refuses = rules.no_result == check::NoResult::error;
-    const std::string zero = fmt::format("(= b (_ bv0 {}))", format.word_bits);
-    claim.may_trap = refuses ? zero : "false";
-    claim.may_fault = "false";
-    if (refuses) claim.is_right = fmt::format("(and (not {}) {})", zero, claim.is_right);
-    all.push_back(stated(claim));
-  }
-  return all;
-}
-
-/// What a function of fixed/checked.hpp returns of an operation.
-enum class Form { has_value, value_or_zero, saturating, wrapping, overflows };
-
-/// Changes statements about a result to statements about what a form returns of it.
-std::vector<Statement> in_form(Form form, const std::vector<Statement>& statements) {
-  std::vector<Statement> all;
-  for (const Statement& statement : statements) {
-    all.push_back([form, statement](x86model::symbolic::Terms& terms, const Path& path) {
-      Claim claim = statement(terms, path);
-      claim.may_trap = "false";
-      switch (form) {
-        case Form::has_value:
-          claim.is_right = "(= {0} (ite (and fits (not lacks)) (_ bv1 32) (_ bv0 32)))";
-          break;
-        case Form::overflows:
-          claim.is_right = "(= {0} (ite (and fits (not lacks)) (_ bv0 32) (_ bv1 32)))";
-          break;
-        case Form::value_or_zero:
-          claim.is_right =
-              "(ite (and fits (not lacks)) (and found (= {0} cut)) (= {0} (bvxor cut cut)))";
-          break;
-        case Form::saturating:
-        case Form::wrapping:
-          break;
-      }
-      return claim;
-    });
-  }
-  return all;
-}
-
 class Goals {
  public:
   std::vector<Goal> all() {
     for (const Format& format : proven_formats()) of_format(format);
     for (const NumberType& type : build_types()) {
       add("*", type, 2, "x * y", products(type.format, type.rules(Operation::mul), exact_product));
-      add("/", type, 2, "x / y", quotients(type, type.rules(Operation::div)));
+      divide(type);
     }
     return std::move(goals_);
   }
@@ -125,7 +36,7 @@ class Goals {
         if (range != Range::wrap && rounding != Rounding::half_up) continue;
         const NumberType type = number_type(format, rounding, range);
         add("*", type, 2, "x * y", products(format, type.rules(Operation::mul), exact_product));
-        add("/", type, 2, "x / y", quotients(type, type.rules(Operation::div)));
+        divide(type);
         add("mul_add", type, 3, "mul_add(x, y, z)",
             products(format, type.rules(Operation::mul), exact_mul_add));
         if (rounding == Rounding::half_up) exact_operations(type);
@@ -145,23 +56,25 @@ class Goals {
     forms(type);
   }
 
+  void divide(const NumberType& type) { add("/", type, 2, "x / y", quotients(type)); }
+
   /// Operations without rounding, but of any range.
   void exact_operations(const NumberType& type) {
     const Format& format = type.format;
     const Rules rules = type.rules(Operation::mul);
-    add("+", type, 2, "x + y", {rounded(exact_sum(format, "bvadd"), rules)});
-    add("-", type, 2, "x - y", {rounded(exact_sum(format, "bvsub"), rules)});
-    add("negation", type, 1, "-x", {rounded(exact_negative(format), rules)});
-    add("abs", type, 1, "abs(x)", {rounded(exact_magnitude(format), rules)});
+    add("+", type, 2, "x + y", rounded(exact_sum(format, "bvadd"), rules));
+    add("-", type, 2, "x - y", rounded(exact_sum(format, "bvsub"), rules));
+    add("negation", type, 1, "-x", rounded(exact_negative(format), rules));
+    add("abs", type, 1, "abs(x)", rounded(exact_magnitude(format), rules));
     add("%", type, 2, "x % y", remainders(format, type.rules(Operation::div)));
     for (const bool is_right : {false, true}) {
       Goal& goal = add(is_right ? ">>" : "<<", type, 1, is_right ? "x >> b" : "x << b",
-                       {rounded(exact_shift(format, is_right), rules)});
+                       rounded(exact_shift(format, is_right), rules));
       goal.signature.operands.push_back(int_operand);
     }
     for (const Format& integer : integers) {
       Goal& goal =
-          add("from integer", type, 0, "N(a)", {rounded(exact_conversion(integer, format), rules)});
+          add("from integer", type, 0, "N(a)", rounded(exact_conversion(integer, format), rules));
       goal.type = fmt::format("{} to {}", cpp_of(integer), type.name);
       goal.signature.operands = {operand(integer)};
     }
@@ -173,7 +86,7 @@ class Goals {
       rules.variant.format = integer;
       rules.rounding = oracle::Rounding::truncate;
       Goal& goal =
-          add("to integer", type, 1, "", {rounded(exact_conversion(type.format, integer), rules)});
+          add("to integer", type, 1, "", rounded(exact_conversion(type.format, integer), rules));
       goal.type = fmt::format("{} to {}", type.name, cpp_of(integer));
       goal.body = with_numbers(type, 1, fmt::format("static_cast<{}>(x)", cpp_of(integer)));
       goal.signature.result_bits = integer.word_bits;
@@ -183,7 +96,7 @@ class Goals {
   void convert(const Format& from, const NumberType& to) {
     const NumberType of = number_type(from, oracle::Rounding::half_up, Range::wrap);
     Goal& goal = add("conversion", of, 1, "",
-                     {rounded(exact_conversion(from, to.format), to.rules(Operation::mul))});
+                     rounded(exact_conversion(from, to.format), to.rules(Operation::mul)));
     goal.type = fmt::format("{} to {}", cases::name_of(from), to.name);
     goal.body = with_numbers(of, 1, fmt::format("{}(x).raw()", to.cpp));
     goal.signature.result_bits = to.format.word_bits;
@@ -214,12 +127,12 @@ class Goals {
     const Format& format = wrap.format;
     const NumberType saturate = number_type(format, wrap.products, Range::saturate);
     const auto both = [&](const char* name, const char* arguments, std::size_t operands,
-                          const std::function<std::vector<Statement>(const NumberType&)>& of) {
+                          const std::function<Statements(const NumberType&)>& of) {
       each_form(wrap, saturate, name, arguments, operands, of);
     };
     const auto exact = [](Exact value) {
       return [value = std::move(value)](const NumberType& type) {
-        return std::vector{rounded(value, type.rules(Operation::mul))};
+        return rounded(value, type.rules(Operation::mul));
       };
     };
     both("add", "x, y", 2, exact(exact_sum(format, "bvadd")));
@@ -233,16 +146,15 @@ class Goals {
     both("mul_add", "x, y, z", 3, [&](const NumberType& type) {
       return products(format, type.rules(Operation::mul), exact_mul_add);
     });
-    both("divide", "x, y", 2,
-         [](const NumberType& type) { return quotients(type, type.rules(Operation::div)); });
+    both("divide", "x, y", 2, quotients);
   }
 
   void each_form(const NumberType& wrap, const NumberType& saturate, const std::string& name,
                  const std::string& arguments, std::size_t operands,
-                 const std::function<std::vector<Statement>(const NumberType&)>& of) {
+                 const std::function<Statements(const NumberType&)>& of) {
     const auto add_form = [&](const std::string& operation, Form form, const std::string& result,
                               bool is_truth) {
-      const NumberType& type = form == Form::saturating ? saturate : wrap;
+      const NumberType& type = operation == "saturating_" ? saturate : wrap;
       Goal& goal = add(operation + "...", wrap, operands, "", in_form(form, of(type)));
       goal.type = fmt::format("{}, {}", cases::name_of(wrap.format), result);
       goal.body = with_numbers(wrap, operands, result);
@@ -255,14 +167,14 @@ class Goals {
     add_form("checked_", Form::has_value, call("checked") + ".has_value()", true);
     add_form("checked_", Form::value_or_zero, call("checked") + ".value_or(N()).raw()", false);
     add_form("overflowing_", Form::overflows, call("overflowing") + ".overflow", true);
-    add_form("overflowing_", Form::wrapping, call("overflowing") + ".value.raw()", false);
-    add_form("saturating_", Form::saturating, call("saturating") + ".raw()", false);
-    add_form("wrapping_", Form::wrapping, call("wrapping") + ".raw()", false);
+    add_form("overflowing_", Form::as_is, call("overflowing") + ".value.raw()", false);
+    add_form("saturating_", Form::as_is, call("saturating") + ".raw()", false);
+    add_form("wrapping_", Form::as_is, call("wrapping") + ".raw()", false);
   }
 
   /// Adds a goal about numbers x, y and z of a type, whose result is a number of it.
   Goal& add(std::string operation, const NumberType& type, std::size_t operands,
-            const std::string& result, std::vector<Statement> statements) {
+            const std::string& result, Statements statements) {
     return goals_.emplace_back(
         Goal{.operation = std::move(operation),
              .type = type.name,
@@ -271,7 +183,7 @@ class Goals {
              .symbol = fmt::format("goal_{}", goals_.size() + 1),
              .signature = {.operands = std::vector(operands, operand(type.format)),
                            .result_bits = type.format.word_bits},
-             .statements = std::move(statements)});
+             .says = std::move(statements)});
   }
 
   static std::string with_numbers(const NumberType& type, std::size_t operands,

@@ -3,18 +3,14 @@
 /// for all operands.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "judge/code/path_prover.hpp"
-#include "judge/type/number_type.hpp"
+#include "judge/code/symbolic.hpp"
+#include "judge/type/statements.hpp"
 
 namespace fixproof::judge {
-
-/// States what a function must return on a path, in one of several ways of which each is right.
-using Statement = std::function<Claim(x86model::symbolic::Terms& terms, const Path& path)>;
 
 struct Goal {
   std::string operation;  ///< such as `*`, `checked_add has`
@@ -23,7 +19,7 @@ struct Goal {
   std::string body;       ///< the function in C++, of operands a, b, c
   std::string symbol{};   ///< its name in an object
   Signature signature{};
-  std::vector<Statement> statements{};
+  Statements says{};
 };
 
 /// All goals, in the order of their operations. Each has its own symbol.

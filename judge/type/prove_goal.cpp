@@ -112,12 +112,12 @@ class Prover {
       proof_.why = "the model of the instructions and Unicorn differ";
       return proof_;
     }
-    if (goal_.statements.empty()) proof_.why = "no statement without a division of 128 bits";
-    for (const Statement& statement : goal_.statements) {
+    if (goal_.says.ways.empty()) proof_.why = "no statement without a division of 128 bits";
+    for (const Statement& statement : goal_.says.ways) {
       if (is_final(statement, Arithmetic::abstract)) return proof_;
     }
-    if (!goal_.statements.empty() && !search()) {
-      is_final(goal_.statements.front(), Arithmetic::exact);
+    if (!goal_.says.ways.empty() && !search()) {
+      is_final(goal_.says.definition, Arithmetic::exact);
     }
     if (proof_.standing == Standing::open && proof_.why.empty()) {
       proof_.why = "the solver does not decide in time";
@@ -149,7 +149,7 @@ class Prover {
     const PathAnswer answer = ask_all(
         paths(), [&](const Path& path) { return statement(terms_, path); }, arithmetic, ask_,
         [&](std::span<const std::uint64_t> words) {
-          return fails(statement, Words(words.begin(), words.end()));
+          return fails(Words(words.begin(), words.end()));
         });
     proof_.seconds += answer.seconds;
     proof_.standing = answer.standing;
@@ -160,16 +160,15 @@ class Prover {
   /// Tries many cases. Returns whether the function fails for one.
   bool search() {
     for (std::uint64_t n = 0; n < cases_to_search; ++n) {
-      if (!fails(goal_.statements.front(), operands_of(goal_.signature, n))) continue;
+      if (!fails(operands_of(goal_.signature, n))) continue;
       proof_.standing = Standing::disproven;
       return true;
     }
     return false;
   }
 
-  /// Tells whether the function breaks a statement for operands, under exact arithmetic, and runs
-  /// it if so.
-  bool fails(const Statement& statement, const Words& words) {
+  /// Tells whether the function breaks its definition for operands, and runs it if so.
+  bool fails(const Words& words) {
     std::string model;
     for (std::size_t i = 0; i < words.size(); ++i) {
       model +=
@@ -181,7 +180,7 @@ class Prover {
     for (const Path& path : paths_) {
       if (evaluation(path.condition) == 0) continue;
       const std::string script =
-          question(paths(), path, statement(terms_, path), "true", Arithmetic::exact);
+          question(paths(), path, goal_.says.definition(terms_, path), "true", Arithmetic::exact);
       if (!proof::fault_of_model(script, "(" + model + ")").empty()) return false;
       proof_.counterexample = words;
       proof_.given = text_of(function_(words));
