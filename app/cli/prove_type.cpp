@@ -146,15 +146,15 @@ class Run {
     const judge::Image image =
         judge::load_bytes("type.o", object.bytes, {.symbol = task.goal->symbol});
     const judge::Ask ask = [this](const std::string& script) {
-      return answers_(script, [this](const std::string& asked) {
-        return solver_.ask(asked, options_.solver.seconds);
+      return answers_(script, [this](const std::string& asked) -> proof::SolverAnswer {
+        try {
+          return solver_.ask(asked, options_.solver.seconds);
+        } catch (const proof::SolverError& error) {
+          return {.remark = error.what()};  // there may be another way to ask
+        }
       });
     };
-    try {
-      return judge::prove(*task.goal, image, ask);
-    } catch (const proof::SolverError& error) {
-      return {.why = error.what()};
-    }
+    return judge::prove(*task.goal, image, ask);
   }
 
   void add(const Task& task, const GoalProof& proof) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "judge/check/rules.hpp"
+#include "x86model/symbolic/term.hpp"
 
 namespace fixproof::judge {
 
@@ -30,6 +31,7 @@ struct Claim {
   /// Conditions that together hold for all operands. The solver is asked about one after the other,
   /// because that takes less time than all at once.
   std::vector<std::string> cases{"true"};
+  std::vector<x86model::symbolic::Term> mentions{};  ///< terms whose names the definitions use
 };
 
 /// An exact result: a signed number in units of a word's times 2^-`excess`.

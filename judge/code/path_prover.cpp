@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "verify/proof/model.hpp"
 #include "x86model/symbolic/smt.hpp"
 
@@ -14,8 +12,10 @@ using proof::Satisfiability;
 using proof::Standing;
 
 std::optional<MachineDivide> divide_of(sym::Terms& terms, const Path& path) {
-  if (!path.returns()) return std::nullopt;
-  return divide_in(terms, std::array{path.condition, path.result});
+  if (path.divide_error) return std::nullopt;
+  std::vector<sym::Term> roots{path.condition};
+  if (path.returns()) roots.push_back(path.result);
+  return divide_in(terms, roots);
 }
 
 std::string question(const Paths& paths, const Path& path, const Claim& claim,
@@ -30,12 +30,7 @@ std::string question(const Paths& paths, const Path& path, const Claim& claim,
         "(and {} {})", sym::name_in_smt(terms, path.kept),
         fmt::format(fmt::runtime(claim.is_right), sym::name_in_smt(terms, path.result)));
   }
-  if (const auto divide = divide_of(terms, path)) {
-    for (const sym::Term part :
-         {divide->dividend, divide->divisor, divide->quotient, divide->remainder}) {
-      roots.push_back(part);
-    }
-  }
+  roots.insert(roots.end(), claim.mentions.begin(), claim.mentions.end());
   std::vector<sym::Term> declared = roots;
   for (std::size_t i = 0; i < paths.operands.size(); ++i) {
     declared.push_back(terms.variable(operand_name(i), paths.operands[i].bits));

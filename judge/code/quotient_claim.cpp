@@ -78,6 +78,9 @@ class Writer {
     const bool may_overflow = any_overflow || rules_.overflow == check::Overflow::error;
     Claim claim;
     claim.definitions = text_;
+    if (divide_) {
+      claim.mentions = {divide_->dividend, divide_->divisor, divide_->quotient, divide_->remainder};
+    }
     claim.cases = signs();
     claim.may_fault = fmt::format(
         "(ite lacks {} (or faults (and (not fits) {})))",
@@ -162,8 +165,8 @@ class Writer {
     relate_to_limits();
   }
 
-  /// Asserts that q is at least a limit t of the format if and only if q d is at least t d. Code
-  /// that saturates compares one, and the claim the other.
+  /// Asserts that q is at least, or at most, a limit t of the format if and only if q d is at
+  /// least, or at most, t d. Code that saturates compares one, and the claim the other.
   void relate_to_limits() {
     const int bits = format_.word_bits - (format_.is_signed ? 1 : 0) + (halves_ ? 1 : 0);
     const std::string limit = fmt::format("(bvshl {} {})", number(1), number(bits));
@@ -175,8 +178,11 @@ class Writer {
             std::pair(number(-1), std::string("(bvneg (size md))"))}) {
         const std::string at = negative ? fmt::format("(bvneg {})", limit) : limit;
         const std::string at_d = negative ? fmt::format("(bvneg {})", limit_d) : limit_d;
-        add("(assert (=> (distinct md {}) (= (bvsge q (bvadd {} {})) (bvsge qd (bvadd {} {})))))",
-            number(0), at, t, at_d, td);
+        for (const char* const compare : {"bvsge", "bvsle"}) {
+          add("(assert (=> (distinct md {0}) (= ({1} q (bvadd {2} {3})) ({1} qd (bvadd {4} "
+              "{5})))))",
+              number(0), compare, at, t, at_d, td);
+        }
       }
     }
   }
