@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "judge/check/cases.hpp"
+#include "judge/code/abstract_functions.hpp"
 #include "judge/code/claim.hpp"
 #include "judge/code/quotient_claim.hpp"
 #include "judge/code/symbolic.hpp"
@@ -76,7 +77,7 @@ class Prover {
   /// Compares the terms with the machine, because a wrong decoding would make a wrong proof.
   bool terms_are_those_of_machine() {
     check::GeneratedCases cases(subject_.variant, {.cases = cases_to_compare});
-    sym::Evaluation evaluation(terms_, concrete_quotient);
+    sym::Evaluation evaluation(terms_, concrete_function);
     std::vector<std::uint32_t> words(operands());
     while (cases.next(words)) {
       for (std::size_t i = 0; i < words.size(); ++i) evaluation.set(operand_name(i), words[i]);
@@ -164,7 +165,7 @@ class Prover {
     return fmt::format(
         "(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}{}(assert {})\n"
         "(assert {})\n(assert (not {}))\n(check-sat)\n",
-        proof::abstractions(arithmetic), declare_quotients(arithmetic),
+        proof::abstractions(arithmetic), declare_functions(arithmetic),
         sym::declare_variables(terms_, declared), sym::define(terms_, roots), claim.definitions,
         sym::name_in_smt(terms_, path.condition), in_case, right);
   }

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <set>
 
 #include "judge/check/word.hpp"
-#include "x86model/symbolic/evaluate.hpp"
 #include "x86model/symbolic/smt.hpp"
 
 namespace fixproof::judge {
@@ -279,29 +277,13 @@ class Writer {
 
 }  // namespace
 
-std::uint64_t concrete_quotient(const std::string& name, std::span<const std::uint64_t> arguments) {
-  if (name != quotient_64 && name != remainder_64) return sym::concrete(name, arguments);
-  const auto n = static_cast<std::int64_t>(arguments[0]);
-  const auto d = static_cast<std::int64_t>(arguments[1]);
-  if (d == 0 || (d == -1 && n == std::numeric_limits<std::int64_t>::min())) return 0;
-  return static_cast<std::uint64_t>(name == quotient_64 ? n / d : n % d);
-}
-
-std::string declare_quotients(proof::Arithmetic arithmetic) {
-  const char* const text =
-      arithmetic == proof::Arithmetic::exact
-          ? "(define-fun {} ((x (_ BitVec 64)) (y (_ BitVec 64))) (_ BitVec 64) ({} x y))\n"
-          : "(declare-fun {} ((_ BitVec 64) (_ BitVec 64)) (_ BitVec 64))\n";
-  return fmt::format(fmt::runtime(text), quotient_64, "bvsdiv") +
-         fmt::format(fmt::runtime(text), remainder_64, "bvsrem");
-}
-
 std::optional<MachineDivide> divide_in(sym::Terms& terms, std::span<const sym::Term> roots) {
   std::set<std::vector<sym::Term>> operands;
   std::string function;
   for (const sym::Term each : sym::reached_from(terms, roots)) {
     const sym::Node node = terms[each];
-    if (node.op != sym::Op::apply) continue;
+    // Those of three arguments have a dividend of 128 bits.
+    if (node.op != sym::Op::apply || node.arguments.size() != 2) continue;
     for (const char* const kind : {"squot", "srest", "sdiv", "srem", "udiv", "urem"}) {
       if (!node.name.starts_with(kind)) continue;
       operands.insert(node.arguments);
