@@ -29,8 +29,11 @@ bool is_shared(const ImageMachine& machine, Mnemonic op, const Instruction& i) {
     return i.count == 1 && size != Size::byte && size != Size::qword;
   }
   if (!is_shift(op) && !is_double_shift(op)) return true;
-  const auto count = machine.constant_in(i.operands.at(i.count - 1));
-  return count && (!is_double_shift(op) || size != Size::word || (*count & 31U) < 16);
+  const auto given = machine.constant_in(i.operands.at(i.count - 1));
+  if (!given) return false;
+  const std::uint32_t count = *given & (size == Size::qword ? 63U : 31U);
+  // A shift of 32 bits by 0 clears the upper half of a register, though it changes nothing else.
+  return count != 0 && (!is_double_shift(op) || size != Size::word || count < 16);
 }
 
 /// The instructions that the listings use too. @return whether it is one of them
