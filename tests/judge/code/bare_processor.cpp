@@ -35,9 +35,16 @@ constexpr std::array<const char*, used_registers.size()> names{"rax", "rcx", "rd
 
 /// Three offsets for each piece, then for each a function that loads the frame, runs the piece and
 /// stores the frame: where the function begins, and where the piece begins and ends.
-std::string source_of(const std::vector<user_forms::Form>& forms) {
-  std::string table = "bits 64\n";
+std::string source_of(const std::vector<user_forms::Form>& forms, int bits) {
+  std::string table = fmt::format("bits {}\n", bits);
   std::string code;
+  if (bits != 64) {
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      table += fmt::format("dd 0, b{0}, e{0}\n", i);
+      code += fmt::format("b{0}: {1}\ne{0}:\n", i, forms[i].text);
+    }
+    return table + code;
+  }
   const std::size_t flags_at = sizeof(Frame::registers);
   for (std::size_t i = 0; i < forms.size(); ++i) {
     table += fmt::format("dd f{0}, b{0}, e{0}\n", i);
@@ -149,8 +156,8 @@ bool Pieces::call(std::size_t /*index*/, fixproof::judge::Registers& /*registers
 
 #endif
 
-Pieces::Pieces(const std::vector<user_forms::Form>& forms)
-    : bytes_(fixproof::judge::assembled(source_of(forms))) {
+Pieces::Pieces(const std::vector<user_forms::Form>& forms, int bits)
+    : bytes_(fixproof::judge::assembled(source_of(forms, bits))) {
   if (bytes_.empty()) throw std::runtime_error("NASM refuses a form");
   memory_ = std::make_unique<Memory>(bytes_);
 }

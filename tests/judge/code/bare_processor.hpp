@@ -25,7 +25,8 @@ bool has(user_forms::Feature feature);
 /// Pieces of code that one call of NASM assembles.
 class Pieces : private boost::noncopyable {
  public:
-  explicit Pieces(const std::vector<user_forms::Form>& forms);
+  /// @param bits of the code; call() runs 64 only
+  explicit Pieces(const std::vector<user_forms::Form>& forms, int bits = 64);
   ~Pieces();
 
   /// Returns the bytes of a piece.

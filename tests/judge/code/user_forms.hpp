@@ -30,6 +30,15 @@ inline std::string sized(const std::string& text, int bits) {
                      arg("c", names[row][2]), arg("acc", names[row][3]), arg("m", names[row][4]));
 }
 
+/// Whether a text names a register or an instruction that only 64-bit code has.
+inline bool is_of_64_bits(const std::string& text) {
+  for (const char* const wide :
+       {"sil", "r8", "rax", "rbx", "rcx", "rdx", "rsi", "rsp", "rbp", "movsxd", "cqo", "cdqe"}) {
+    if (text.find(wide) != std::string::npos) return true;
+  }
+  return false;
+}
+
 class Forms {
  public:
   std::vector<Form> all;

@@ -36,9 +36,9 @@ std::optional<sym::Term>& flag_of(sym::FlagTerms& terms, std::uint16_t flag) {
                                 : terms.overflow;
 }
 
-/// 64-bit code with a stack, as the machines of judge/code take it.
-Image image_of(const std::string& code) {
-  Image image{.bits = 64, .container = "test", .memory = {}, .symbols = {}, .missing = {}};
+/// Code with a stack, as the machines of judge/code take it.
+Image image_of(const std::string& code, int bits) {
+  Image image{.bits = bits, .container = "test", .memory = {}, .symbols = {}, .missing = {}};
   image.memory.assign(0x3000, unused);
   image.first = image.entry = 0x1000;
   image.end = image.first + static_cast<std::uint32_t>(code.size());
@@ -50,21 +50,27 @@ Image image_of(const std::string& code) {
   return image;
 }
 
+std::size_t registers_of(const Image& image) {
+  return image.bits == 64 ? register_count : x86model::register_count;
+}
+std::uint32_t top_of(const Image& image) {
+  return image.stack_top - static_cast<std::uint32_t>(image.bits / 8);
+}
+
 /// What a form makes of any state, as terms.
 class Model {
  public:
   /// @throws Obstacle if it is not modelled
   Model(const Image& image, bool knows_flags) : image_(image) {
-    for (std::size_t r = 0; r < register_count; ++r) {
-      state_.registers.at(r) = terms_.variable(sym::numbered("r", r), 64);
+    for (std::size_t r = 0; r < registers_of(image); ++r) {
+      state_.registers.at(r) = terms_.variable(sym::numbered("r", r), image.bits);
     }
-    const std::uint32_t top = image.stack_top - 8;
-    state_.registers[sp] = terms_.constant(top, 64);
+    state_.registers[sp] = terms_.constant(top_of(image), image.bits);
     for (const auto& [flag, name] : flags) {
       if (knows_flags) flag_of(state_.flags, flag) = terms_.variable(name, 0);
     }
     for (std::uint32_t at = image.first; at < image.end;) {
-      decoded_ = decoded(std::span(image.memory).subspan(at, 15), at, 64);
+      decoded_ = decoded(std::span(image.memory).subspan(at, 15), at, image.bits);
       ImageMachine machine(image, terms_, state_);
       execute_on(machine, decoded_);
       if (machine.fault) fault_ = machine.fault->condition;
@@ -84,11 +90,12 @@ class Model {
   [[nodiscard]] const Decoded& last() const { return decoded_; }
   /// With the number of their operands.
   [[nodiscard]] const Mnemonics& instructions() const { return instructions_; }
+  [[nodiscard]] std::size_t registers() const { return registers_of(image_); }
   [[nodiscard]] sym::FlagTerms& known_flags() { return state_.flags; }
   [[nodiscard]] const std::set<std::string>& functions() const { return functions_; }
 
   void set(const Registers& before) {
-    for (std::size_t r = 0; r < register_count; ++r) {
+    for (std::size_t r = 0; r < registers_of(image_); ++r) {
       evaluation_->set(sym::numbered("r", r), before.general.at(r));
     }
     for (const auto& [flag, name] : flags) {
@@ -142,8 +149,11 @@ std::uint64_t random_word(std::mt19937_64& random) {
 
 Registers random_state(std::mt19937_64& random, const Image& image) {
   Registers state;
-  for (std::uint64_t& each : state.general) each = random_word(random);
-  state.general[sp] = image.stack_top - 8;
+  for (std::size_t r = 0; r < registers_of(image); ++r) {
+    const std::uint64_t word = random_word(random);
+    state.general.at(r) = image.bits == 64 ? word : word & 0xFFFFFFFFU;
+  }
+  state.general[sp] = top_of(image);
   state.flags = static_cast<std::uint32_t>(random()) & x86model::arithmetic_flags;
   return state;
 }
@@ -162,6 +172,7 @@ void compare(const Form& form, Model& model, const Registers& before, bool fault
   ASSERT_EQ(model.faults(), faulted) << where;
   if (faulted) return;
   for (const std::size_t r : used_registers) {
+    if (r >= model.registers()) continue;
     const std::uint64_t is = after.general[r];
     ASSERT_EQ(model.register_after(r).value_or(is), is) << where << ": register " << r;
   }
@@ -201,8 +212,8 @@ bool unicorn_has(Feature feature) { return feature == Feature::none; }
 /// Compares one form on the machines that have it.
 class FormTest {
  public:
-  FormTest(const Form& form, const std::string& code)
-      : form_(form), image_(image_of(code)), model_(image_, true) {}
+  FormTest(const Form& form, const std::string& code, int bits)
+      : form_(form), image_(image_of(code, bits)), model_(image_, true) {}
 
   [[nodiscard]] Model& model() { return model_; }
 
@@ -215,14 +226,11 @@ class FormTest {
   }
 
   void on_unicorn(std::mt19937_64& random) {
-    const auto emulator = make_emulator(image_, nullptr);
-    for_states(random, [&](const Registers& before) {
-      Registers after = before;
-      store(emulator->memory() + before.general[sp], image_.exit, 8);
-      const Ending ending = emulator->call(after);
-      ASSERT_TRUE(ending.end == End::returned || ending.end == End::divide_error) << form_.text;
-      compare(form_, model_, before, ending.end == End::divide_error, after, "Unicorn");
-    });
+    on(*make_emulator(image_, nullptr), "Unicorn", random);
+  }
+  /// Code of 32 bits.
+  void on_processor_of_judge(std::mt19937_64& random) {
+    on(*make_processor(image_), "this processor", random);
   }
 
  private:
@@ -233,6 +241,16 @@ class FormTest {
       model_.set(before);
       body(before);
     }
+  }
+
+  void on(Machine& machine, const char* name, std::mt19937_64& random) {
+    for_states(random, [&](const Registers& before) {
+      Registers after = before;
+      store(machine.memory() + before.general[sp], image_.exit, image_.bits / 8);
+      const Ending ending = machine.call(after);
+      ASSERT_TRUE(ending.end == End::returned || ending.end == End::divide_error) << form_.text;
+      compare(form_, model_, before, ending.end == End::divide_error, after, name);
+    });
   }
 
   const Form& form_;
@@ -260,27 +278,50 @@ TEST(UserInstructions, AreThoseOfThisProcessorAndOfUnicorn) {
   if (const std::string why = bare_processor::absence(); !why.empty()) {
     std::cout << "not compared with this processor: " << why << '\n';
   }
+  const auto skip = [](const Form& form, const char* machine) {
+    std::string text = form.text;
+    std::ranges::replace(text, '\n', ';');
+    std::cout << "skipped on " << machine << ": " << text << '\n';
+  };
   for (std::size_t i = 0; i < forms.size(); ++i) {
     const Form& form = forms[i];
     SCOPED_TRACE(form.text);
-    FormTest test(form, pieces.code(i));
+    FormTest test(form, pieces.code(i), 64);
     const auto& instructions = test.model().instructions();
     covered.insert(instructions.begin(), instructions.end());
     if (instructions.size() == 1) compare_undefined_flags(form, test.model());
     if (bare_processor::has(form.feature)) {
       test.on_this_processor(pieces, i, random);
     } else {
-      std::cout << "skipped on this processor: " << form.text << '\n';
+      skip(form, "this processor");
     }
     if (unicorn_has(form.feature)) {
       test.on_unicorn(random);
     } else {
-      std::cout << "skipped on Unicorn: " << form.text << '\n';
+      skip(form, "Unicorn");
     }
     if (HasFatalFailure()) return;
   }
   for (const UserInstruction& row : user_instructions()) {
     EXPECT_TRUE(is_among(row, covered)) << row.mnemonic << " has no form";
+  }
+}
+
+TEST(UserInstructions, Of32BitCodeAreThoseOfThisProcessorAndOfUnicorn) {
+  std::vector<Form> forms = user_forms::all_forms();
+  std::erase_if(forms, [](const Form& form) {
+    return form.feature != Feature::none || user_forms::is_of_64_bits(form.text);
+  });
+  const Pieces pieces(forms, 32);
+  std::mt19937_64 random(386);
+  const std::string why = absence_on_processor(image_of("", 32));
+  if (!why.empty()) std::cout << "not compared with this processor: " << why << '\n';
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    SCOPED_TRACE(forms[i].text);
+    FormTest test(forms[i], pieces.code(i), 32);
+    if (why.empty()) test.on_processor_of_judge(random);
+    test.on_unicorn(random);
+    if (HasFatalFailure()) return;
   }
 }
 
