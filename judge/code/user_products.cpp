@@ -65,12 +65,17 @@ NumberTerm product_of(Terms& t, const char* function, NumberTerm x, NumberTerm y
   return applied(t, function, {x, y}, 64);
 }
 
-/// Their product, if both are extensions of numbers of 32 bits: it is exact.
-std::optional<NumberTerm> narrow_product(Terms& t, NumberTerm x, NumberTerm y, bool is_signed) {
+/// Two numbers of 32 bits.
+struct Factors {
+  NumberTerm x;
+  NumberTerm y;
+};
+
+/// The numbers that two terms of 64 bits extend, if both do. Their product is exact.
+std::optional<Factors> narrow_factors(Terms& t, NumberTerm x, NumberTerm y, bool is_signed) {
   const auto a = narrowed(t, x, is_signed);
   const auto b = narrowed(t, y, is_signed);
-  if (!a || !b) return std::nullopt;
-  return product_of(t, is_signed ? "smul32" : "umul32", *a, *b);
+  return a && b ? std::optional(Factors{*a, *b}) : std::nullopt;
 }
 
 struct WideProduct {
@@ -80,10 +85,10 @@ struct WideProduct {
 
 /// The product of two numbers of 64 bits.
 WideProduct wide_product(Terms& t, NumberTerm x, NumberTerm y, bool is_signed) {
-  const auto of_signed = narrow_product(t, x, y, true);
-  const auto of_unsigned = narrow_product(t, x, y, false);
-  const NumberTerm low = of_signed     ? *of_signed
-                         : of_unsigned ? *of_unsigned
+  const auto of_signed = narrow_factors(t, x, y, true);
+  const auto of_unsigned = narrow_factors(t, x, y, false);
+  const NumberTerm low = of_signed     ? product_of(t, "smul32", of_signed->x, of_signed->y)
+                         : of_unsigned ? product_of(t, "umul32", of_unsigned->x, of_unsigned->y)
                                        : product_of(t, low_product_64, x, y);
   // Two numbers of 32 bits without sign have a product of 64 bits, for IMUL too.
   if (of_unsigned) return {low, t.constant(0, 64)};

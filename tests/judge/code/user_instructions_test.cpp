@@ -325,5 +325,36 @@ TEST(UserInstructions, Of32BitCodeAreThoseOfThisProcessorAndOfUnicorn) {
   }
 }
 
+/// The abstract functions in the terms of a form.
+std::set<std::string> functions_in(const std::string& text) {
+  const std::vector<Form> forms{{text}};
+  const Image image = image_of(Pieces(forms).code(0), 64);
+  return Model(image, true).functions();
+}
+
+TEST(UserInstructions, AProductOfNarrowNumbersHasOneName) {
+  using Names = std::set<std::string>;
+  const std::string narrow = "movsx ebx, bx\nmovsx esi, si\n";
+  EXPECT_EQ(functions_in("imul bx, si"), Names{"smul32"});
+  EXPECT_EQ(functions_in(narrow + "imul ebx, esi"), Names{"smul32"});
+  EXPECT_EQ(functions_in("movsx rbx, bx\nmovsx rsi, si\nimul rbx, rsi"), Names{"smul32"});
+  EXPECT_EQ(functions_in("movzx ebx, bx\nmovzx esi, sil\nimul rbx, rsi"), Names{"smul32"});
+  EXPECT_EQ(functions_in("movsxd rax, eax\nmovsxd rbx, ebx\nimul rbx"), Names{"smul32"});
+  EXPECT_EQ(functions_in("mov eax, eax\nmov ebx, ebx\nmul rbx"), Names{"umul32"});
+  EXPECT_EQ(functions_in("imul sil"), Names{"smul32"});
+  EXPECT_EQ(functions_in("mulx ebx, esi, r8d"), Names{"umul32"});
+  EXPECT_EQ(functions_in("imul rbx, rsi"), (Names{"mullo64", "smulh64"}));
+  EXPECT_EQ(functions_in("mul rbx"), (Names{"mullo64", "umulh64"}));
+  EXPECT_EQ(functions_in("mov eax, 6\nmov ebx, 7\nmul rbx"), Names{});
+}
+
+TEST(UserInstructions, ADivideIsNamedByItsDividend) {
+  using Names = std::set<std::string>;
+  EXPECT_EQ(functions_in("cqo\nidiv rbx"), (Names{"squot64", "srest64"}));
+  EXPECT_EQ(functions_in("xor edx, edx\ndiv rbx"), (Names{"uquot64", "urest64"}));
+  EXPECT_EQ(functions_in("idiv rbx"), (Names{"sdiv128", "sfault128", "srem128"}));
+  EXPECT_EQ(functions_in("div rbx"), (Names{"udiv128", "urem128"}));
+}
+
 }  // namespace
 }  // namespace fixproof::judge
