@@ -301,10 +301,9 @@ struct RoundedText {
 };
 
 /// Defines `rounded`, `cut`, its word, `lacks`, `found` and `fits`, and states what the rules ask.
-Claim claim_about(const std::string& definitions, const RoundedText& of,
-                  const check::Rules& rules) {
+Claim claim_about(const std::string& exact, const RoundedText& of, const check::Rules& rules) {
   const int bits = rules.variant.format.word_bits;
-  Claim claim{.definitions = definitions};
+  Claim claim{.definitions = exact};
   claim.definitions += fmt::format(
       "(define-fun rounded () (_ BitVec {0}) {1})\n"
       "(define-fun cut () (_ BitVec {2}) ((_ extract {3} 0) rounded))\n"

@@ -131,7 +131,9 @@ void note_prefixes(const ZydisDecodedInstruction& i, Decoded& to) {
   to.prefixes = i.raw.prefix_count;
   for (std::size_t n = 0; n < i.raw.prefix_count; ++n) {
     const std::uint8_t byte = i.raw.prefixes[n].value;
-    to.has_repeat |= byte == 0xF2 || byte == 0xF3;
+    // TZCNT, LZCNT and POPCNT have such a byte as a part of their opcode.
+    const bool is_of_opcode = i.raw.prefixes[n].type == ZYDIS_PREFIX_TYPE_MANDATORY;
+    to.has_repeat |= !is_of_opcode && (byte == 0xF2 || byte == 0xF3);
     to.overrides_segment |= (byte & 0xE7U) == 0x26 || byte == 0x64 || byte == 0x65;
     to.needs_386 |= byte >= 0x64 && byte <= 0x67;
   }

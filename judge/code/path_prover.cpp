@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "judge/code/abstract_functions.hpp"
 #include "verify/proof/model.hpp"
 #include "x86model/symbolic/smt.hpp"
 
@@ -38,7 +39,7 @@ std::string question(const Paths& paths, const Path& path, const Claim& claim,
   return fmt::format(
       "(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}{}(assert {})\n"
       "(assert {})\n(assert (not {}))\n(check-sat)\n",
-      proof::abstractions(arithmetic), declare_quotients(arithmetic),
+      proof::abstractions(arithmetic), declare_functions(arithmetic),
       sym::declare_variables(terms, declared), sym::define(terms, roots), claim.definitions,
       sym::name_in_smt(terms, path.condition), in_case, right);
 }

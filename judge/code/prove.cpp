@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "judge/check/cases.hpp"
+#include "judge/code/abstract_functions.hpp"
 #include "judge/code/path_prover.hpp"
 #include "judge/code/verdict.hpp"
 #include "x86model/symbolic/evaluate.hpp"
@@ -78,7 +79,7 @@ class Prover {
   /// Compares the terms with the machine, because a wrong decoding would make a wrong proof.
   bool terms_are_those_of_machine() {
     check::GeneratedCases cases(subject_.variant, {.cases = cases_to_compare});
-    sym::Evaluation evaluation(terms_, concrete_quotient);
+    sym::Evaluation evaluation(terms_, concrete_function);
     std::vector<std::uint32_t> words(signature_.operands.size());
     while (cases.next(words)) {
       for (std::size_t i = 0; i < words.size(); ++i) evaluation.set(operand_name(i), words[i]);

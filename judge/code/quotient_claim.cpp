@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include <array>
 #include <set>
+#include <string_view>
 
 #include "judge/check/word.hpp"
-#include "x86model/symbolic/evaluate.hpp"
 #include "x86model/symbolic/smt.hpp"
 
 namespace fixproof::judge {
@@ -302,52 +302,39 @@ class Writer {
 
 }  // namespace
 
-std::uint64_t concrete_quotient(const std::string& name, std::span<const std::uint64_t> arguments) {
-  if (name != quotient_64 && name != remainder_64) return sym::concrete(name, arguments);
-  const auto n = static_cast<std::int64_t>(arguments[0]);
-  const auto d = static_cast<std::int64_t>(arguments[1]);
-  if (d == 0 || (d == -1 && n == std::numeric_limits<std::int64_t>::min())) return 0;
-  return static_cast<std::uint64_t>(name == quotient_64 ? n / d : n % d);
-}
-
-std::string declare_quotients(proof::Arithmetic arithmetic) {
-  const char* const text =
-      arithmetic == proof::Arithmetic::exact
-          ? "(define-fun {} ((x (_ BitVec 64)) (y (_ BitVec 64))) (_ BitVec 64) ({} x y))\n"
-          : "(declare-fun {} ((_ BitVec 64) (_ BitVec 64)) (_ BitVec 64))\n";
-  return fmt::format(fmt::runtime(text), quotient_64, "bvsdiv") +
-         fmt::format(fmt::runtime(text), remainder_64, "bvsrem");
-}
-
 std::optional<MachineDivide> divide_in(sym::Terms& terms, std::span<const sym::Term> roots) {
+  // The names of quotients and remainders, without the width of the divisor.
+  struct Names {
+    std::string_view quotient, remainder;
+    bool is_signed;
+  };
+  constexpr std::array<Names, 4> all{{{"squot", "srest", true},
+                                      {"uquot", "urest", false},
+                                      {"sdiv", "srem", true},
+                                      {"udiv", "urem", false}}};
   std::set<std::vector<sym::Term>> operands;
-  std::string function;
+  Names names{};
   for (const sym::Term each : sym::reached_from(terms, roots)) {
     const sym::Node node = terms[each];
-    if (node.op != sym::Op::apply) continue;
-    for (const char* const kind : {"squot", "srest", "sdiv", "srem", "udiv", "urem"}) {
-      if (!node.name.starts_with(kind)) continue;
+    if (node.op != sym::Op::apply || node.arguments.size() != 2) continue;
+    for (const Names& of : all) {
+      if (!node.name.starts_with(of.quotient) && !node.name.starts_with(of.remainder)) continue;
       operands.insert(node.arguments);
-      function = node.name;
+      names = of;
     }
   }
   if (operands.size() != 1) return std::nullopt;
   const std::vector<sym::Term> both = *operands.begin();
   const int bits = terms.width(both[1]);
-  const bool is_wide = function.starts_with("squot") || function.starts_with("srest");
-  const bool is_signed = function.starts_with('s');
-  const auto apply = [&](const char* name) {
-    return terms.apply(sym::numbered(name, static_cast<std::uint64_t>(bits)), both, bits);
+  const auto apply = [&](std::string_view name) {
+    return terms.apply(sym::numbered(std::string(name), static_cast<std::uint64_t>(bits)), both,
+                       bits);
   };
   return MachineDivide{.dividend = both[0],
                        .divisor = both[1],
-                       .quotient = apply(is_wide     ? "squot"
-                                         : is_signed ? "sdiv"
-                                                     : "udiv"),
-                       .remainder = apply(is_wide     ? "srest"
-                                          : is_signed ? "srem"
-                                                      : "urem"),
-                       .is_signed = is_signed};
+                       .quotient = apply(names.quotient),
+                       .remainder = apply(names.remainder),
+                       .is_signed = names.is_signed};
 }
 
 std::optional<Claim> quotient_claim(const check::Rules& rules, const sym::Terms& terms,

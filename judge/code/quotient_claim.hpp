@@ -3,26 +3,13 @@
 /// makes, so that a solver adds and compares but never multiplies.
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <span>
-#include <string>
 
 #include "judge/code/claim.hpp"
-#include "verify/proof/specification.hpp"
 #include "x86model/symbolic/term.hpp"
 
 namespace fixproof::judge {
-
-/// The abstract functions of a 64-bit IDIV whose dividend has 64 bits: quotient and remainder.
-inline constexpr const char* quotient_64 = "squot64";
-inline constexpr const char* remainder_64 = "srest64";
-
-/// Returns their values; 0 for a zero divisor and for the one quotient that does not fit. All other
-/// functions are those of x86model::symbolic::concrete().
-std::uint64_t concrete_quotient(const std::string& name, std::span<const std::uint64_t> arguments);
-
-/// Returns their declarations, or in exact arithmetic their definitions.
-std::string declare_quotients(proof::Arithmetic arithmetic);
 
 /// A divide of the machine: q and r with dividend = q * divisor + r.
 struct MachineDivide {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -33,6 +34,7 @@ class ImageMachine : public x86model::symbolic::Machine {
   using Machine::read;
   using Machine::write;
 
+  [[nodiscard]] x86model::symbolic::Terms& terms() const { return t_; }
   [[nodiscard]] int width() const { return image_.bits; }
   [[nodiscard]] x86model::Size word() const { return whole_register(0, width()).size; }
 
@@ -88,10 +90,13 @@ class ImageMachine : public x86model::symbolic::Machine {
     return false;
   }
 
-  static std::uint32_t count_in(const Operand& o) {
-    if (o.kind != Operand::Kind::immediate) throw Obstacle("this instruction is not modelled");
-    return static_cast<std::uint32_t>(o.value);
+  /// The count of a shift, if it does not depend on operands.
+  [[nodiscard]] std::optional<std::uint32_t> constant_in(const Operand& o) const {
+    if (o.kind == Operand::Kind::immediate) return static_cast<std::uint32_t>(o.value);
+    if (o.kind != Operand::Kind::reg || !t_.is_constant(read(o.reg))) return std::nullopt;
+    return static_cast<std::uint32_t>(t_.value(read(o.reg)));
   }
+  [[nodiscard]] std::uint32_t count_in(const Operand& o) const { return constant_in(o).value(); }
 
   /// The address of a memory operand, of its own width.
   [[nodiscard]] Term address_term(const Operand& o) const {

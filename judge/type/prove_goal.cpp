@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "judge/code/abstract_functions.hpp"
 #include "judge/code/machine.hpp"
 #include "verify/cases/draw.hpp"
 #include "verify/proof/model.hpp"
@@ -127,7 +128,7 @@ class Prover {
 
  private:
   bool terms_are_those_of_machine() {
-    sym::Evaluation evaluation(terms_, concrete_quotient);
+    sym::Evaluation evaluation(terms_, concrete_function);
     for (std::uint64_t n = 0; n < cases_to_compare; ++n) {
       const Words words = operands_of(goal_.signature, n);
       for (std::size_t i = 0; i < words.size(); ++i) evaluation.set(operand_name(i), words[i]);
@@ -175,7 +176,7 @@ class Prover {
           fmt::format("(define-fun {} () (_ BitVec {}) (_ bv{} {}))", operand_name(i),
                       goal_.signature.operands[i].bits, words[i], goal_.signature.operands[i].bits);
     }
-    sym::Evaluation evaluation(terms_, concrete_quotient);
+    sym::Evaluation evaluation(terms_, concrete_function);
     for (std::size_t i = 0; i < words.size(); ++i) evaluation.set(operand_name(i), words[i]);
     for (const Path& path : paths_) {
       if (evaluation(path.condition) == 0) continue;

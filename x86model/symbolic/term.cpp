@@ -141,9 +141,22 @@ Term Terms::concat(Term high, Term low) {
   const Node& h = (*this)[high];
   const Node& l = (*this)[low];
   // Adjacent parts of one term are one part of it.
-  if (h.op == Op::extract && l.op == Op::extract && h.arguments == l.arguments &&
-      h.value == l.value + static_cast<std::uint64_t>(l.width)) {
-    return extract(h.arguments[0], static_cast<int>(l.value), h.width + l.width);
+  if (h.op == Op::extract && h.value >= static_cast<std::uint64_t>(l.width)) {
+    const int from = static_cast<int>(h.value) - l.width;
+    if (extract(h.arguments[0], from, l.width) == low) {
+      return extract(h.arguments[0], from, h.width + l.width);
+    }
+  }
+  const bool repeats_a_bit = h.op == Op::sign_extend && width(h.arguments[0]) == 1;
+  if (repeats_a_bit && l.op == Op::sign_extend && h.arguments == l.arguments) {
+    return sign_extend(h.arguments[0], h.width + l.width);
+  }
+  // Adjacent constants are one constant, so that what is extended or shifted twice is so once.
+  if (h.op == Op::constant && l.op == Op::concat && is_constant(l.arguments[0])) {
+    return concat(concat(high, l.arguments[0]), l.arguments[1]);
+  }
+  if (l.op == Op::constant && h.op == Op::concat && is_constant(h.arguments[1])) {
+    return concat(h.arguments[0], concat(h.arguments[1], low));
   }
   return make(Op::concat, h.width + l.width, {high, low});
 }
@@ -159,6 +172,17 @@ Term Terms::extract(Term a, int low, int wanted) {
     const int lower_width = width(lower);
     if (low + wanted <= lower_width) return extract(lower, low, wanted);
     if (low >= lower_width) return extract(node.arguments[0], low - lower_width, wanted);
+    const Term upper = node.arguments[0];
+    const int of_lower = lower_width - low;
+    return concat(extract(upper, 0, wanted - of_lower), extract(lower, low, of_lower));
+  }
+  if (node.op == Op::sign_extend) {
+    const Term inner = node.arguments[0];
+    const int rest = width(inner) - low;
+    if (wanted <= rest) return extract(inner, low, wanted);
+    if (width(inner) == 1) return sign_extend(inner, wanted);
+    // Copies of the sign alone stay a part of this term, so that concat() can join them to it.
+    if (rest > 0) return sign_extend(extract(inner, low, rest), wanted);
   }
   return make(Op::extract, wanted, {a}, static_cast<std::uint64_t>(low));
 }
@@ -169,7 +193,14 @@ Term Terms::zero_extend(Term a, int wanted) {
 }
 
 Term Terms::sign_extend(Term a, int wanted) {
-  return wanted == width(a) ? a : make(Op::sign_extend, wanted, {a});
+  if (wanted == width(a)) return a;
+  const Node& node = (*this)[a];
+  if (node.op == Op::sign_extend) return sign_extend(node.arguments[0], wanted);
+  if (node.op == Op::concat && is_constant(node.arguments[0])) {
+    const Term high = node.arguments[0];
+    if (value(extract(high, width(high) - 1, 1)) == 0) return zero_extend(a, wanted);
+  }
+  return make(Op::sign_extend, wanted, {a});
 }
 
 Term Terms::ite(Term condition, Term yes, Term no) {

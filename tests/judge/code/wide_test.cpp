@@ -161,6 +161,34 @@ TEST(JudgeWide, TracesShowWholeRegisters) {
           "returns ffff0000"});
 }
 
+TEST(JudgeWide, LocalsOnTheStackAreTerms) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  expect(judge_source("push rbp\nmov rbp, rsp\nmov [rbp-20], edi\nmov [rbp-24], esi\n"
+                      "mov eax, [rbp-20]\ncdqe\nmov [rbp-8], rax\nmovsxd rdx, [rbp-24]\n"
+                      "mov rax, [rbp-8]\nimul rax, rdx\nadd rax, 0x8000\nmov ecx, 16\n"
+                      "sar rax, cl\nmov [rbp-8], rax\nmov eax, [rbp-8]\npop rbp\nret\n",
+                      as_mul + and_prove + "|--rounding|half-up|--overflow|wrap"),
+         0, {"PROVEN for all operands (1 path"});
+}
+
+TEST(JudgeWide, LoopsThatEndForAllOperandsAreFollowed) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  const std::string adds = "--as|add|--overflow|wrap|--cases|1000" + and_prove;
+  const std::string sum = "lea eax, [rdi+rsi]\nret\n";
+  // The turns are a constant, or at most as many as there are bits.
+  expect(judge_source("mov ecx, 10\n.next: xor edi, 5\ndec ecx\njnz .next\n" + sum, adds), 0,
+         {"PROVEN for all operands (1 path"});
+  expect(judge_source("movzx ecx, dil\n.next: test ecx, ecx\njz .sum\nshr ecx, 1\njmp .next\n"
+                      ".sum: " +
+                          sum,
+                      adds),
+         0, {"PROVEN for all operands (9 paths"});
+  expect(
+      judge_source("mov ecx, edi\n.next: test ecx, ecx\njz .sum\ndec ecx\njmp .next\n.sum: " + sum,
+                   "--as|add|--overflow|wrap|--cases|1" + and_prove),
+      0, {"NOT PROVEN, only judged by cases: jz", "there are more than 200 paths"});
+}
+
 TEST(JudgeWide, WhatIsNotModelledIsNamed) {
   expect(judge_source("mov rax, rdi\nimul rsi\nshrd rax, rdx, 32\nret\n",
                       "--as|mul|--format|q32_32|--cases|1000|--prove"),

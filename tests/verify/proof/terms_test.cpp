@@ -20,6 +20,37 @@ TEST(Terms, AreKeptOnce) {
   EXPECT_NE(t.variable("a", 16), t.variable("b", 16));
 }
 
+TEST(Terms, ExtensionsAndShiftsOfOneAreOne) {
+  Terms t;
+  const Term a = t.variable("a", 16);
+  const auto half = [&](Term x) { return t.concat(t.constant(0, 1), t.extract(x, 1, 15)); };
+  const auto twice = [&](Term x) { return t.concat(t.extract(x, 0, 15), t.constant(0, 1)); };
+  EXPECT_EQ(half(half(a)), t.concat(t.constant(0, 2), t.extract(a, 2, 14)));
+  EXPECT_EQ(twice(twice(a)), t.concat(t.extract(a, 0, 14), t.constant(0, 2)));
+  Term left = a;
+  for (int i = 0; i < 16; ++i) left = half(left);
+  EXPECT_EQ(left, t.constant(0, 16));
+  EXPECT_EQ(t.sign_extend(t.sign_extend(a, 24), 40), t.sign_extend(a, 40));
+  EXPECT_EQ(t.sign_extend(t.zero_extend(a, 24), 40), t.zero_extend(a, 40));
+  EXPECT_EQ(t.extract(t.sign_extend(a, 40), 0, 16), a);
+  EXPECT_EQ(t.extract(t.sign_extend(a, 40), 8, 16), t.sign_extend(t.extract(a, 8, 8), 16));
+  const Term sign = t.sign_extend(t.extract(a, 15, 1), 8);
+  EXPECT_EQ(t.extract(t.sign_extend(t.extract(a, 15, 1), 40), 20, 8), sign);
+}
+
+TEST(Terms, AreWholeAgainAfterTheirBytes) {
+  Terms t;
+  const Term a = t.variable("a", 32);
+  for (const Term whole : {a, t.zero_extend(a, 64), t.sign_extend(a, 64),
+                           t.sign_extend(t.extract(a, 31, 1), 64), t.add(a, a)}) {
+    Term bytes = t.extract(whole, 0, 8);
+    for (int low = 8; low < t.width(whole); low += 8) {
+      bytes = t.concat(t.extract(whole, low, 8), bytes);
+    }
+    EXPECT_EQ(bytes, whole);
+  }
+}
+
 TEST(Terms, KnowWhatAChainOfConditionsSays) {
   Terms t;
   const Term x = t.variable("x", 0);
@@ -56,6 +87,14 @@ TEST(Terms, FoldToWhatTheyMean) {
     same(t.concat(a, b), t.concat(p, q));
     same(t.extract(t.concat(a, b), low, 17), t.extract(t.concat(p, q), low, 17));
     same(t.sign_extend(a, 40), t.sign_extend(p, 40));
+    same(t.sign_extend(t.concat(t.constant(x, 3), b), 40),
+         t.sign_extend(t.concat(t.constant(x, 3), q), 40));
+    const int bits = 1 + static_cast<int>(random() % 16);
+    same(t.extract(t.sign_extend(a, 40), low, bits), t.extract(t.sign_extend(p, 40), low, bits));
+    same(t.concat(t.constant(5, 3), t.concat(t.constant(1, 2), a)),
+         t.concat(t.constant(5, 3), t.concat(t.constant(1, 2), p)));
+    same(t.concat(t.concat(a, t.constant(1, 2)), t.constant(5, 3)),
+         t.concat(t.concat(p, t.constant(1, 2)), t.constant(5, 3)));
     same(t.equal(a, b), t.equal(p, q));
     same(t.below(a, b), t.below(p, q));
     same(t.ite(t.below(a, b), a, b), t.ite(t.below(p, q), p, q));
