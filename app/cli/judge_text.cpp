@@ -227,6 +227,9 @@ std::string inspection_text(const judge::Inspection& inspection) {
     text += fmt::format("  CHANGES ITS OWN CODE: {} writes {:x}h, an instruction, for {}\n",
                         place(*f), f->address, f->operands);
   }
+  if (const auto& f = inspection.privileged) {
+    text += fmt::format("  USES A PRIVILEGED INSTRUCTION: {}, for {}\n", place(*f), f->operands);
+  }
   return text;
 }
 

@@ -105,7 +105,9 @@ class Emulator final : public Machine {
     // ended the last one.
     check(uc_context_restore(engine_, fresh_), "context");
     if (ending_.end == End::returned) return ending_;
-    if (error != UC_ERR_OK && ending_.end == End::halted) ending_.end = end_after(error);
+    if (error != UC_ERR_OK && ending_.end == End::halted) {
+      ending_.end = is_at_sysenter() ? End::system_call : end_after(error);
+    }
     // A trace has the exact place, its last step. Otherwise the place is as exact as Unicorn keeps
     // it.
     ending_.at = trace_ != nullptr && !trace_->steps.empty() ? trace_->steps.back().at
@@ -137,12 +139,16 @@ class Emulator final : public Machine {
     constexpr std::uint32_t general_protection = 13;
     if (number == 0) return End::divide_error;
     if (number == invalid_opcode) return End::bad_instruction;
-    // In 16-bit code, SYSENTER raises #GP.
-    if (number == general_protection && trace_ != nullptr && !trace_->steps.empty()) {
-      const std::uint32_t at = image_.code_at(trace_->steps.back().at);
-      if (at + 2 <= bytes_ && fetch(memory_.get() + at, 2) == 0x340F) return End::system_call;
-    }
+    if (number == general_protection && is_at_sysenter()) return End::system_call;
     return End::interrupt;
+  }
+
+  /// Tells whether the last step of a trace is SYSENTER. In 16-bit code it raises #GP, and in
+  /// 64-bit code Unicorn does not know it.
+  [[nodiscard]] bool is_at_sysenter() const {
+    if (trace_ == nullptr || trace_->steps.empty()) return false;
+    const std::uint32_t at = image_.code_at(trace_->steps.back().at);
+    return at + 2 <= bytes_ && fetch(memory_.get() + at, 2) == 0x340F;
   }
 
   void write(int number, std::uint64_t value) {
@@ -235,7 +241,7 @@ class Emulator final : public Machine {
     using Invalid = bool(uc_engine*, uc_mem_type, std::uint64_t, int, std::int64_t, void*);
     Invalid* const at_invalid = [](uc_engine*, uc_mem_type, std::uint64_t address, int,
                                    std::int64_t, void* data) {
-      self(data).ending_.address = static_cast<std::uint32_t>(address);
+      self(data).ending_.address = address;
       return false;
     };
     add(UC_HOOK_MEM_INVALID, at_invalid, 1, 0);
@@ -274,7 +280,7 @@ class Emulator final : public Machine {
       Emulator& e = self(data);
       if (e.trace_->steps.empty()) return;
       Access access{.step = static_cast<std::uint32_t>(e.trace_->steps.size() - 1),
-                    .address = static_cast<std::uint32_t>(address),
+                    .address = address,
                     .bytes = static_cast<std::uint32_t>(size),
                     .is_write = type == UC_MEM_WRITE ? 1U : 0U};
       const bool is_known = size <= 4 && address <= e.bytes_ - 4;
