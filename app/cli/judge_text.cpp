@@ -97,8 +97,14 @@ std::string text_of(const judge::Ending& ending, const judge::Image& image) {
         if (ending.address - symbol.offset + judge::Symbol::reach >= 2 * judge::Symbol::reach) {
           continue;
         }
-        return fmt::format("uses {}, which the object does not have, {}; add it with ld -r",
-                           support::quoted(symbol.name), at);
+        return image.container == judge::linked_container
+                   ? fmt::format(
+                         "uses {}, which needs another file or the loader of the system, {}; link "
+                         "it "
+                         "statically",
+                         support::quoted(symbol.name), at)
+                   : fmt::format("uses {}, which the object does not have, {}; add it with ld -r",
+                                 support::quoted(symbol.name), at);
       }
       return fmt::format("uses memory at {:x}h, where there is none, {}", ending.address, at);
     case judge::End::interrupt:

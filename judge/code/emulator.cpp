@@ -61,9 +61,9 @@ class Emulator final : public Machine {
         memory_(static_cast<std::uint8_t*>(std::aligned_alloc(page, bytes_))) {
     if (!memory_) throw std::bad_alloc();
     std::copy(image.memory.begin(), image.memory.end(), memory_.get());
-    memory_.get()[image.code_at(image.exit)] = 0x90;  // NOP, for the hook
+    memory_.get()[image.index_of(image.code_at(image.exit))] = 0x90;  // NOP, for the hook
     check(uc_open(UC_ARCH_X86, mode_of(image.bits), &engine_), "open");
-    check(uc_mem_map_ptr(engine_, 0, bytes_, UC_PROT_ALL, memory_.get()), "memory");
+    check(uc_mem_map_ptr(engine_, image.base, bytes_, UC_PROT_ALL, memory_.get()), "memory");
     if (image.bits == 16) {
       write(UC_X86_REG_CS, image.code_segment);
       for (const int r : {UC_X86_REG_DS, UC_X86_REG_ES, UC_X86_REG_SS}) {
@@ -147,8 +147,8 @@ class Emulator final : public Machine {
   /// 64-bit code Unicorn does not know it.
   [[nodiscard]] bool is_at_sysenter() const {
     if (trace_ == nullptr || trace_->steps.empty()) return false;
-    const std::uint32_t at = image_.code_at(trace_->steps.back().at);
-    return at + 2 <= bytes_ && fetch(memory_.get() + at, 2) == 0x340F;
+    const std::uint32_t at = image_.index_of(image_.code_at(trace_->steps.back().at));
+    return at <= bytes_ - 2 && fetch(memory_.get() + at, 2) == 0x340F;
   }
 
   void write(int number, std::uint64_t value) {
@@ -283,9 +283,10 @@ class Emulator final : public Machine {
                     .address = address,
                     .bytes = static_cast<std::uint32_t>(size),
                     .is_write = type == UC_MEM_WRITE ? 1U : 0U};
-      const bool is_known = size <= 4 && address <= e.bytes_ - 4;
+      const std::uint64_t at = address - e.image_.base;
+      const bool is_known = size <= 4 && at <= e.bytes_ - 4;
       if (access.is_write == 0 && is_known) {
-        access.value = fetch(e.memory_.get() + address, size);
+        access.value = fetch(e.memory_.get() + at, size);
       }
       e.trace_->accesses.push_back(access);
     };
