@@ -19,6 +19,8 @@ namespace {
 using support::UsageError;
 
 constexpr std::size_t max_file_bytes = std::size_t{1} << 20U;
+/// Debugging information, which is not loaded, may be many times as long as code.
+constexpr std::size_t max_bytes_with_information = std::size_t{1} << 24U;
 constexpr std::uint32_t com_origin = 0x100;
 
 /// Reads 0x1f, 1fh or, in base 10, 31.
@@ -244,10 +246,11 @@ std::string bytes_of(const std::string& path) {
 
 Image load(const std::string& path, const LoadOptions& options) {
   return naming_the_file(path, [&] {
-    return entered(is_source(path)
-                       ? image_of_source(path, options)
-                       : image_of(path, support::read_bounded(path, max_file_bytes), options),
-                   options);
+    return entered(
+        is_source(path)
+            ? image_of_source(path, options)
+            : image_of(path, support::read_bounded(path, max_bytes_with_information), options),
+        options);
   });
 }
 
