@@ -70,6 +70,10 @@ class Emulator final : public Machine {
         write(r, image.data_segment);
       }
     }
+    if (image.bits == 64) {
+      // What protects the stack of compiled code is at FS:28h: far below what calls use of it.
+      write(UC_X86_REG_FS_BASE, image.data_at(image.stack_top - stack_bytes));
+    }
     initialize_floating_point();
     check(uc_context_alloc(engine_, &fresh_), "context");
     check(uc_context_save(engine_, fresh_), "context");
