@@ -47,8 +47,9 @@ void expect(bool holds, const char* what) {
 }
 
 void check_places(const judge::Image& image) {
-  const std::uint64_t size = image.memory.size();
-  expect(image.first < image.end && image.end <= size, "the code is not in memory");
+  const std::uint64_t size = image.base + image.memory.size();
+  expect(image.base <= image.first && image.first < image.end && image.end <= size,
+         "the code is not in memory");
   const std::uint64_t entry = image.code_at(image.entry);
   expect(entry >= image.first && entry < image.end, "the routine is not in the code");
   expect(std::uint64_t{image.code_at(image.exit)} + judge::exit_bytes <= size,
@@ -65,11 +66,11 @@ void check_places(const judge::Image& image) {
 void check_contents(const judge::Image& image, const std::string& bytes) {
   const auto byte_at = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes.at(i)); };
   const bool is_exe = image.container == "MZ .EXE";
-  if (!is_exe && image.container.starts_with("ELF")) return;
+  if (!is_exe && image.container.find("ELF") != std::string::npos) return;
   const std::size_t start = is_exe ? 16U * (byte_at(8) + 256U * byte_at(9)) : 0;
   std::size_t changed = 0;
   for (std::size_t i = 0; i < image.end - image.first; ++i) {
-    if (image.memory[image.first + i] != byte_at(start + i)) ++changed;
+    if (image.memory[image.index_of(image.first) + i] != byte_at(start + i)) ++changed;
   }
   const std::size_t relocations = is_exe ? byte_at(6) + 256U * byte_at(7) : 0;
   expect(changed <= 2 * relocations, "memory has not the bytes of the file");
@@ -95,8 +96,9 @@ void set_up_calls(const judge::Image& image) {
     }
   }
   if (image.container == "MZ .EXE") return;  // it brings its own stack
-  expect(std::equal(image.memory.begin() + image.first, image.memory.begin() + image.end,
-                    memory.begin() + image.first),
+  const std::uint32_t first = image.index_of(image.first);
+  expect(std::equal(image.memory.begin() + first, image.memory.begin() + image.index_of(image.end),
+                    memory.begin() + first),
          "setting up a call changes the code");
 }
 

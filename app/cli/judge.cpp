@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <utility>
@@ -51,11 +52,29 @@ cases::Operation operation_of(std::string_view name) {
   return operation;
 }
 
+/// Takes FILE:FUNCTION apart, unless there is a file of that name.
+JudgeOptions with_symbol(JudgeOptions options) {
+  const std::size_t colon = options.file.rfind(':');
+  std::error_code none;
+  if (colon == std::string::npos || std::filesystem::exists(options.file, none)) return options;
+  const std::string file = options.file.substr(0, colon);
+  const std::string symbol = options.file.substr(colon + 1);
+  if (symbol.empty() || !std::filesystem::is_regular_file(file, none)) return options;
+  if (!options.symbol.empty()) {
+    throw support::UsageError(fmt::format("{} and --symbol both name the routine; leave one out",
+                                          support::quoted(options.file)));
+  }
+  options.file = file;
+  options.symbol = symbol;
+  return options;
+}
+
 judge::Image image_of(const JudgeOptions& options) {
   judge::LoadOptions load{.at = options.at, .symbol = options.symbol};
   if (options.bits != 0) load.bits = options.bits;
   if (!options.at.empty() && !options.symbol.empty()) {
-    throw support::UsageError("--at and --symbol both name the routine; leave one out");
+    throw support::UsageError(
+        "--at and --symbol, or FILE:FUNCTION, both name the routine; leave one out");
   }
   return judge::load(options.file, load);
 }
@@ -255,12 +274,13 @@ int judge_whole_results(const JudgeOptions& options, const judge::Subject& subje
   return status_of(right, subject.image, whole.verdict);
 }
 
-int judge_file(const JudgeOptions& options, const CLI::App& command) {
+int judge_file(const JudgeOptions& given, const CLI::App& command) {
   const support::Interrupt interrupt;
   expect_effects(command);
-  if (!options.listing.routines.empty()) {
-    return judge_against_listings(options.file, options.at, options.listing);
+  if (!given.listing.routines.empty()) {
+    return judge_against_listings(given.file, given.at, given.listing);
   }
+  const JudgeOptions options = with_symbol(given);
   const judge::Image image = image_of(options);
   if (options.list) {
     std::cout << judge::source_of(image);
@@ -302,8 +322,8 @@ int judge_file(const JudgeOptions& options, const CLI::App& command) {
 
 void add_judge(CLI::App& app, int& status) {
   auto options = std::make_shared<JudgeOptions>();
-  CLI::App* command =
-      app.add_subcommand("judge", "judge a machine-code routine of your own, for 16 or 32 bits");
+  CLI::App* command = app.add_subcommand(
+      "judge", "judge a machine-code routine of your own, for 16, 32 or 64 bits");
   options->add_to(*command);
   command->callback([options, command, &status] { status = judge_file(*options, *command); });
 }

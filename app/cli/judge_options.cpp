@@ -40,8 +40,9 @@ void expect_effects(const CLI::App& command) {
 void JudgeOptions::add_to(CLI::App& command) {
   command
       .add_option("file", file,
-                  "the file with the routine: a .COM, MZ .EXE, ELF object (i386), NASM source or "
-                  "flat binary")
+                  "the file with the routine: an ELF object, program or shared library (i386 or "
+                  "x86-64), a .COM, MZ .EXE, NASM source or flat binary; FILE:FUNCTION is FILE "
+                  "with --symbol FUNCTION")
       ->required()
       ->check(not_empty());
   command
@@ -62,12 +63,12 @@ void JudgeOptions::add_to(CLI::App& command) {
       .add_option("--at", at,
                   "where the routine is: OFFSET, OFFSET..END or, in hex, SEGMENT:OFFSET")
       ->check(not_empty());
-  command.add_option("--symbol", symbol, "the name of the routine in an ELF object or NASM source")
+  command.add_option("--symbol", symbol, "the name of the routine in an ELF file or NASM source")
       ->check(not_empty());
   command
       .add_option(
           "--bits", bits,
-          "width of the code, 16, 32 or 64; by default that of an ELF object, what BITS says for "
+          "width of the code, 16, 32 or 64; by default that of an ELF file, what BITS says for "
           "NASM source, else 16")
       ->check(CLI::IsMember({16, 32, 64}));
   command

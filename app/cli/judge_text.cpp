@@ -94,8 +94,14 @@ std::string text_of(const judge::Ending& ending, const judge::Image& image) {
       return "raises a divide error (#DE) " + at;
     case judge::End::bad_address:
       if (const judge::Symbol* const missing = image.missing_at(ending.address)) {
-        return fmt::format("uses {}, which the object does not have, {}; add it with ld -r",
-                           support::quoted(missing->name), at);
+        const std::string name = support::quoted(missing->name);
+        return image.container == judge::linked_container
+                   ? fmt::format(
+                         "uses {}, which needs another file or the loader of the system, "
+                         "{}; link it statically",
+                         name, at)
+                   : fmt::format("uses {}, which the object does not have, {}; add it with ld -r",
+                                 name, at);
       }
       return fmt::format("uses memory at {:x}h, where there is none, {}", ending.address, at);
     case judge::End::interrupt:
@@ -223,6 +229,9 @@ std::string inspection_text(const judge::Inspection& inspection) {
   if (const auto& f = inspection.changes_own_code) {
     text += fmt::format("  CHANGES ITS OWN CODE: {} writes {:x}h, an instruction, for {}\n",
                         place(*f), f->address, f->operands);
+  }
+  if (const auto& f = inspection.privileged) {
+    text += fmt::format("  USES A PRIVILEGED INSTRUCTION: {}, for {}\n", place(*f), f->operands);
   }
   return text;
 }

@@ -83,7 +83,7 @@ int Call::slots_of(const Parameter& p) const {
 
 void Call::push(std::uint8_t* memory, std::uint64_t value, int bytes) {
   top_ -= static_cast<std::uint32_t>(bytes);
-  store(memory + image_.data_at(top_), value, bytes);
+  store(memory + image_.index_of(image_.data_at(top_)), value, bytes);
 }
 
 void Call::push_parameter(std::uint8_t* memory, std::size_t index,
@@ -108,7 +108,7 @@ void Call::put_operands(std::uint8_t* memory, std::span<const std::uint32_t> wor
       const std::uint32_t value =
           p.is_result ? static_cast<std::uint32_t>(draw.bits()) : words[first_word_[i] + n];
       const auto at = data_offsets_[i] + static_cast<std::uint32_t>(n) * 4;
-      store(memory + image_.data_at(at), value, 4);
+      store(memory + image_.index_of(image_.data_at(at)), value, 4);
     }
   }
 }
@@ -176,7 +176,7 @@ void Call::take_results(const std::uint8_t* memory, std::span<std::uint32_t> wor
     if (!parameters_[i].is_result) continue;
     for (std::size_t n = 0; n < parameters_[i].numbers; ++n) {
       const auto at = data_offsets_[i] + static_cast<std::uint32_t>(n) * 4;
-      words[word++] = fetch(memory + image_.data_at(at), 4);
+      words[word++] = fetch(memory + image_.index_of(image_.data_at(at)), 4);
     }
   }
 }

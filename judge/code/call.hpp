@@ -50,7 +50,7 @@ struct Ending {
   End end = End::returned;
   std::uint8_t number = 0;    ///< the interrupt's
   std::uint32_t at = 0;       ///< the instruction's offset in its segment; 0 on the host processor
-  std::uint32_t address = 0;  ///< what bad_address accessed
+  std::uint64_t address = 0;  ///< what bad_address accessed; linear
 };
 
 /// Sets up calls of one routine and reads their results.

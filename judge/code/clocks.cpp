@@ -75,7 +75,7 @@ class Counter {
   const TimedLine& line_at(const Step& step) {
     const auto known = lines_.find(step.at);
     if (known != lines_.end()) return known->second;
-    const std::uint32_t at = subject_.image.code_at(step.at);
+    const std::uint32_t at = subject_.image.index_of(subject_.image.code_at(step.at));
     // An instruction may reach beyond the end of a segment.
     const auto& memory = subject_.image.memory;
     const std::size_t first = std::min<std::size_t>(at, memory.size());

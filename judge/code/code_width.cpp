@@ -21,8 +21,9 @@ bool looks_like_64_bits(const Image& image) {
   Listing listing(image);
   int seen = 0;
   for (const Line& line : reachable(image, listing)) {
-    const std::uint32_t at = image.code_at(line.at);
-    if (at + 1 >= image.end || (image.memory[at] & 0xF8U) != 0x48) continue;
+    const std::uint32_t linear = image.code_at(line.at);
+    const std::uint32_t at = image.index_of(linear);
+    if (linear + 1 >= image.end || (image.memory[at] & 0xF8U) != 0x48) continue;
     const std::uint8_t next = image.memory[at + 1];
     if (next == movsxd) return true;
     if (std::ranges::find(common, next) != common.end()) ++seen;

@@ -167,6 +167,14 @@ bool uses_accumulator(const ZydisDecodedInstruction& i) {
           (opcode & 0xFEU) == 0xA8 || (opcode > 0x90 && opcode < 0x98));
 }
 
+bool is_privileged(const ZydisDecodedInstruction& i) {
+  // Zydis does not count these. A system of 64 bits lets no program use CLI and STI, though IOPL
+  // could.
+  const bool is_missing = i.mnemonic == ZYDIS_MNEMONIC_CLI || i.mnemonic == ZYDIS_MNEMONIC_STI ||
+                          i.mnemonic == ZYDIS_MNEMONIC_LGDT;
+  return is_missing || (i.attributes & ZYDIS_ATTRIB_IS_PRIVILEGED) != 0;
+}
+
 std::string mnemonic_of(const ZydisDecodedInstruction& i) {
   std::string name = ZydisMnemonicGetString(i.mnemonic);
   if (name == "ret" && i.meta.branch_type == ZYDIS_BRANCH_TYPE_FAR) name += 'f';
@@ -200,6 +208,7 @@ Decoded decoded(std::span<const std::uint8_t> bytes, std::uint32_t at, int bits)
   result.uses_accumulator = uses_accumulator(i);
   result.has_displacement = i.raw.disp.size > 0;
   result.has_wide_addresses = i.address_width == 32;
+  result.is_privileged = is_privileged(i);
   result.needs_386 = i.opcode_map != ZYDIS_OPCODE_MAP_DEFAULT;  // the tables have no 0F of a 286
   note_prefixes(i, result);
   result.flags = flag_effects(i, operands);

@@ -47,6 +47,7 @@ struct Decoded {
   int components = 0;               ///< as a 386 counts them at the target of a jump
   bool has_repeat = false;          ///< REP, REPE or REPNE
   bool overrides_segment = false;   ///< by a prefix
+  bool is_privileged = false;       ///< for an operating system only; no IN or OUT
   bool needs_386 = false;           ///< its opcode, a prefix, or FS or GS
   bool uses_accumulator = false;    ///< the short form with AL, AX or EAX
   bool has_displacement = false;    ///< of a memory operand

@@ -61,14 +61,18 @@ class Emulator final : public Machine {
         memory_(static_cast<std::uint8_t*>(std::aligned_alloc(page, bytes_))) {
     if (!memory_) throw std::bad_alloc();
     std::copy(image.memory.begin(), image.memory.end(), memory_.get());
-    memory_.get()[image.code_at(image.exit)] = 0x90;  // NOP, for the hook
+    memory_.get()[image.index_of(image.code_at(image.exit))] = 0x90;  // NOP, for the hook
     check(uc_open(UC_ARCH_X86, mode_of(image.bits), &engine_), "open");
-    check(uc_mem_map_ptr(engine_, 0, bytes_, UC_PROT_ALL, memory_.get()), "memory");
+    check(uc_mem_map_ptr(engine_, image.base, bytes_, UC_PROT_ALL, memory_.get()), "memory");
     if (image.bits == 16) {
       write(UC_X86_REG_CS, image.code_segment);
       for (const int r : {UC_X86_REG_DS, UC_X86_REG_ES, UC_X86_REG_SS}) {
         write(r, image.data_segment);
       }
+    }
+    if (image.bits == 64) {
+      // What protects the stack of compiled code is at FS:28h: far below what calls use of it.
+      write(UC_X86_REG_FS_BASE, image.data_at(image.stack_top - stack_bytes));
     }
     initialize_floating_point();
     check(uc_context_alloc(engine_, &fresh_), "context");
@@ -105,7 +109,9 @@ class Emulator final : public Machine {
     // ended the last one.
     check(uc_context_restore(engine_, fresh_), "context");
     if (ending_.end == End::returned) return ending_;
-    if (error != UC_ERR_OK && ending_.end == End::halted) ending_.end = end_after(error);
+    if (error != UC_ERR_OK && ending_.end == End::halted) {
+      ending_.end = is_at_sysenter() ? End::system_call : end_after(error);
+    }
     // A trace has the exact place, its last step. Otherwise the place is as exact as Unicorn keeps
     // it.
     ending_.at = trace_ != nullptr && !trace_->steps.empty() ? trace_->steps.back().at
@@ -137,12 +143,16 @@ class Emulator final : public Machine {
     constexpr std::uint32_t general_protection = 13;
     if (number == 0) return End::divide_error;
     if (number == invalid_opcode) return End::bad_instruction;
-    // In 16-bit code, SYSENTER raises #GP.
-    if (number == general_protection && trace_ != nullptr && !trace_->steps.empty()) {
-      const std::uint32_t at = image_.code_at(trace_->steps.back().at);
-      if (at + 2 <= bytes_ && fetch(memory_.get() + at, 2) == 0x340F) return End::system_call;
-    }
+    if (number == general_protection && is_at_sysenter()) return End::system_call;
     return End::interrupt;
+  }
+
+  /// Tells whether the last step of a trace is SYSENTER. In 16-bit code it raises #GP, and in
+  /// 64-bit code Unicorn does not know it.
+  [[nodiscard]] bool is_at_sysenter() const {
+    if (trace_ == nullptr || trace_->steps.empty()) return false;
+    const std::uint32_t at = image_.index_of(image_.code_at(trace_->steps.back().at));
+    return at <= bytes_ - 2 && fetch(memory_.get() + at, 2) == 0x340F;
   }
 
   void write(int number, std::uint64_t value) {
@@ -235,7 +245,7 @@ class Emulator final : public Machine {
     using Invalid = bool(uc_engine*, uc_mem_type, std::uint64_t, int, std::int64_t, void*);
     Invalid* const at_invalid = [](uc_engine*, uc_mem_type, std::uint64_t address, int,
                                    std::int64_t, void* data) {
-      self(data).ending_.address = static_cast<std::uint32_t>(address);
+      self(data).ending_.address = address;
       return false;
     };
     add(UC_HOOK_MEM_INVALID, at_invalid, 1, 0);
@@ -274,12 +284,13 @@ class Emulator final : public Machine {
       Emulator& e = self(data);
       if (e.trace_->steps.empty()) return;
       Access access{.step = static_cast<std::uint32_t>(e.trace_->steps.size() - 1),
-                    .address = static_cast<std::uint32_t>(address),
+                    .address = address,
                     .bytes = static_cast<std::uint32_t>(size),
                     .is_write = type == UC_MEM_WRITE ? 1U : 0U};
-      const bool is_known = size <= 4 && address <= e.bytes_ - 4;
+      const std::uint64_t at = address - e.image_.base;
+      const bool is_known = size <= 4 && at <= e.bytes_ - 4;
       if (access.is_write == 0 && is_known) {
-        access.value = fetch(e.memory_.get() + address, size);
+        access.value = fetch(e.memory_.get() + at, size);
       }
       e.trace_->accesses.push_back(access);
     };

@@ -23,6 +23,7 @@ struct Image {
   bool has_assumed_bits = false;     ///< whether neither the user nor the file tells the width
   std::string container;             ///< for messages, such as "flat binary"
   std::vector<std::uint8_t> memory;  ///< everything that the routine can reach
+  std::uint32_t base = 0;            ///< linear address of `memory`; not 0 in a linked program
   std::uint32_t first = 0;           ///< linear address of the first byte of the file
   std::uint32_t end = 0;             ///< linear address after its last byte
   std::uint32_t reserved = 0;        ///< linear address after what the file reserves behind it
@@ -38,7 +39,7 @@ struct Image {
   std::uint32_t exit = 0;       ///< offset in the code segment of where the routine returns to
 
   /// Returns the missing name that an address belongs to, or null.
-  [[nodiscard]] const Symbol* missing_at(std::uint32_t address) const {
+  [[nodiscard]] const Symbol* missing_at(std::uint64_t address) const {
     for (const Symbol& symbol : missing) {
       if (address - symbol.offset + Symbol::reach < 2 * Symbol::reach) return &symbol;
     }
@@ -48,6 +49,8 @@ struct Image {
   [[nodiscard]] static std::uint32_t linear(std::uint16_t segment, std::uint32_t offset) {
     return 16U * segment + offset;
   }
+  /// Returns where in `memory` a linear address is; an index beyond its end for any other address.
+  [[nodiscard]] std::uint32_t index_of(std::uint32_t address) const { return address - base; }
   [[nodiscard]] std::uint32_t code_at(std::uint32_t offset) const {
     return linear(code_segment, offset);
   }
@@ -56,6 +59,9 @@ struct Image {
   }
 };
 
+/// What `container` says of an ELF file before and after linking.
+inline constexpr const char* object_container = "ELF object";
+inline constexpr const char* linked_container = "linked ELF file";
 /// What `container` says of a program in DOS's format with relocations.
 inline constexpr const char* exe_container = "MZ .EXE";
 

@@ -16,9 +16,9 @@ namespace fixproof::judge {
 
 namespace {
 
-bool is_own(const Image& image, std::uint32_t address, std::uint32_t bytes) {
+bool is_own(const Image& image, std::uint64_t address, std::uint32_t bytes) {
   const auto inside = [&](std::uint32_t first, std::uint32_t end) {
-    return address >= first && address + bytes <= end;
+    return address >= first && address <= end && bytes <= end - address;
   };
   return inside(image.first, std::max(image.end, image.reserved)) ||
          inside(image.data_at(image.stack_top - stack_bytes),
@@ -34,31 +34,37 @@ class Inspector {
     if (!call) return;
     ++inspection_.calls;
     operands_ = text_of_operands(subject_.variant, words);
-    look_at_flags(call->trace);
+    look_at_instructions(call->trace);
     look_at_memory(call->trace);
   }
 
   [[nodiscard]] const Inspection& inspection() const { return inspection_; }
 
  private:
-  void look_at_flags(const Trace& trace) {
+  void look_at_instructions(const Trace& trace) {
     // A caller leaves unknown flags.
     unsigned undefined = x86model::arithmetic_flags;
     for (const Step& step : trace.steps) {
-      const x86model::FlagUse effects = effects_at(step.at);
+      const Decoded& instruction = instruction_at(step.at);
+      const x86model::FlagUse& effects = instruction.flags;
       if ((effects.reads & undefined) != 0 && !inspection_.undefined_flag) {
         inspection_.undefined_flag = {.operands = operands_,
                                       .line = listing_.at(step.at),
                                       .flags = effects.reads & undefined};
       }
       undefined = (undefined & ~unsigned{effects.sets}) | effects.leaves_undefined;
+      // Code of DOS may use them.
+      const bool is_program = subject_.image.bits == 64;
+      if (is_program && instruction.is_privileged && !inspection_.privileged) {
+        inspection_.privileged = {.operands = operands_, .line = listing_.at(step.at)};
+      }
     }
   }
 
-  const x86model::FlagUse& effects_at(std::uint32_t offset) {
-    const auto known = effects_.find(offset);
-    if (known != effects_.end()) return known->second;
-    return effects_.emplace(offset, listing_.decoded_at(offset).flags).first->second;
+  const Decoded& instruction_at(std::uint32_t offset) {
+    const auto known = instructions_.find(offset);
+    if (known != instructions_.end()) return known->second;
+    return instructions_.emplace(offset, listing_.decoded_at(offset)).first->second;
   }
 
   void look_at_memory(const Trace& trace) {
@@ -87,7 +93,7 @@ class Inspector {
 
   const Subject& subject_;
   Listing listing_;
-  std::map<std::uint32_t, x86model::FlagUse> effects_;  // by offset
+  std::map<std::uint32_t, Decoded> instructions_;  // by offset
   Inspection inspection_;
   std::string operands_;
 };

@@ -20,7 +20,7 @@ struct Inspection {
   struct Finding {
     std::string operands{};     ///< the case
     Line line{};                ///< the instruction
-    std::uint32_t address = 0;  ///< linear, of the memory
+    std::uint64_t address = 0;  ///< linear, of the memory
     bool is_write = false;
     unsigned flags = 0;  ///< the undefined flags that it reads
   };
@@ -28,9 +28,11 @@ struct Inspection {
   std::optional<Finding> undefined_flag{};    ///< reads a flag that Intel leaves undefined
   std::optional<Finding> foreign_memory{};    ///< uses memory outside its file, stack and operands
   std::optional<Finding> changes_own_code{};  ///< writes to an instruction that the call runs
+  /// In 64-bit code, runs what only the operating system may. Unicorn runs it, too.
+  std::optional<Finding> privileged{};
 
   [[nodiscard]] bool is_clean() const {
-    return !undefined_flag && !foreign_memory && !changes_own_code;
+    return !undefined_flag && !foreign_memory && !changes_own_code && !privileged;
   }
 };
 

@@ -17,12 +17,12 @@ class Uses {
         end_of_operands_(image.data_at(image.data + data_bytes)) {}
 
   void add(const Trace& trace) {
-    std::map<std::uint32_t, std::uint32_t> written;  // in this call
+    std::map<std::uint64_t, std::uint32_t> written;  // in this call
     for (const Access& access : trace.accesses) {
       if (access.step >= trace.steps.size()) continue;
       const std::uint32_t by = trace.steps[access.step].at;
       for (std::uint32_t i = 0; i < access.bytes; ++i) {
-        const std::uint32_t address = access.address + i;
+        const std::uint64_t address = access.address + i;
         if (address >= first_of_stack_ && address < end_of_operands_) continue;
         if (access.is_write != 0) {
           written.try_emplace(address, by);
@@ -46,8 +46,8 @@ class Uses {
  private:
   std::uint32_t first_of_stack_;
   std::uint32_t end_of_operands_;
-  std::map<std::uint32_t, std::uint32_t> readers_;
-  std::map<std::uint32_t, std::uint32_t> writers_;
+  std::map<std::uint64_t, std::uint32_t> readers_;
+  std::map<std::uint64_t, std::uint32_t> writers_;
 };
 
 }  // namespace

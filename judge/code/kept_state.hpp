@@ -13,7 +13,7 @@ namespace fixproof::judge {
 
 /// Memory that a call reads before it writes it, and that a call writes.
 struct KeptState {
-  std::uint32_t address = 0;  ///< linear
+  std::uint64_t address = 0;  ///< linear
   Line reads{};               ///< the first instruction that reads it
   Line writes{};              ///< the first instruction that writes it
 };

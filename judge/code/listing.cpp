@@ -19,7 +19,7 @@ constexpr std::uint32_t window = 512;
 
 const Line& Listing::at(std::uint32_t offset) {
   if (const auto known = lines_.find(offset); known != lines_.end()) return known->second;
-  const std::uint32_t first = image_.code_at(offset);
+  const std::uint32_t first = image_.index_of(image_.code_at(offset));
   const auto last = std::min(static_cast<std::uint32_t>(image_.memory.size()), first + window);
   const std::string bytes(image_.memory.begin() + std::min(first, last),
                           image_.memory.begin() + last);
@@ -33,7 +33,8 @@ const Line& Listing::at(std::uint32_t offset) {
 }
 
 Decoded Listing::decoded_at(std::uint32_t offset) const {
-  const std::size_t first = std::min<std::size_t>(image_.code_at(offset), image_.memory.size());
+  const std::size_t first =
+      std::min<std::size_t>(image_.index_of(image_.code_at(offset)), image_.memory.size());
   const std::size_t count =
       std::min<std::size_t>(longest_instruction, image_.memory.size() - first);
   return decoded(std::span(image_.memory).subspan(first, count), offset, image_.bits);
@@ -77,8 +78,8 @@ std::set<std::uint32_t> targets_among(const std::vector<Line>& lines, const List
 std::string text_of_bytes(const Image& image, std::uint32_t at, std::uint32_t count) {
   std::string text;
   for (std::uint32_t i = 0; i < count; ++i) {
-    text +=
-        fmt::format("{}0x{:02x}", i == 0 ? "db " : ", ", image.memory.at(image.code_at(at) + i));
+    text += fmt::format("{}0x{:02x}", i == 0 ? "db " : ", ",
+                        image.memory.at(image.index_of(image.code_at(at)) + i));
   }
   return text;
 }
@@ -119,8 +120,9 @@ std::string source_of(const Image& image) {
     return text;
   };
   const Line& last = lines.back();
-  const std::string wanted(image.memory.begin() + image.code_at(lines.front().at),
-                           image.memory.begin() + image.code_at(last.at + last.bytes));
+  const std::string wanted(
+      image.memory.begin() + image.index_of(image.code_at(lines.front().at)),
+      image.memory.begin() + image.index_of(image.code_at(last.at + last.bytes)));
   // NASM chooses the shortest encoding. An instruction for which that differs becomes bytes.
   std::vector<std::string> chosen = as_text;
   const std::string all = assembled(source(chosen));

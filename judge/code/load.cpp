@@ -19,6 +19,8 @@ namespace {
 using support::UsageError;
 
 constexpr std::size_t max_file_bytes = std::size_t{1} << 20U;
+/// Debugging information, which is not loaded, may be many times as long as code.
+constexpr std::size_t max_bytes_with_information = std::size_t{1} << 24U;
 constexpr std::uint32_t com_origin = 0x100;
 
 /// Reads 0x1f, 1fh or, in base 10, 31.
@@ -89,10 +91,12 @@ void enter_symbol(Image& image, const std::string& name) {
 void find_entry(Image& image, const LoadOptions& options) {
   if (!options.at.empty()) return enter_at(image, options.at);
   if (!options.symbol.empty()) return enter_symbol(image, options.symbol);
-  if (image.container != "ELF object") return;
+  const bool is_object = image.container == object_container;
+  if (!is_object && image.container != linked_container) return;
   if (image.symbols.size() != 1) {
     if (image.symbols.empty())
-      throw UsageError("the object has no global function; make the routine global");
+      throw UsageError(is_object ? "the object has no global function; make the routine global"
+                                 : "the linked ELF file has no global function; give --at");
     enter_symbol(image, "");  // throws with the names
   }
   image.entry = image.symbols.front().offset;
@@ -199,7 +203,7 @@ void load_flat(Image& image, const std::string& bytes, std::uint32_t origin) {
   const bool wide = image.bits >= 32;
   image.memory.assign(wide ? 0x100000 : 0x10000, unused);
   const auto size = static_cast<std::uint32_t>(image.memory.size());
-  image.exit = size - exit_bytes;
+  image.exit = image.base + size - exit_bytes;
   image.data = image.exit - data_bytes;
   image.stack_top = image.data;
   const std::uint32_t room = (image.stack_top - stack_bytes) & ~0xFFFU;
@@ -207,7 +211,7 @@ void load_flat(Image& image, const std::string& bytes, std::uint32_t origin) {
     throw UsageError(fmt::format("the code ends at {:x}h; {}-bit code has room up to {:x}h",
                                  origin + bytes.size(), image.bits, room));
   }
-  std::copy(bytes.begin(), bytes.end(), image.memory.begin() + origin);
+  std::copy(bytes.begin(), bytes.end(), image.memory.begin() + image.index_of(origin));
   image.first = origin;
   image.end = origin + static_cast<std::uint32_t>(bytes.size());
   image.entry = origin;
@@ -242,10 +246,11 @@ std::string bytes_of(const std::string& path) {
 
 Image load(const std::string& path, const LoadOptions& options) {
   return naming_the_file(path, [&] {
-    return entered(is_source(path)
-                       ? image_of_source(path, options)
-                       : image_of(path, support::read_bounded(path, max_file_bytes), options),
-                   options);
+    return entered(
+        is_source(path)
+            ? image_of_source(path, options)
+            : image_of(path, support::read_bounded(path, max_bytes_with_information), options),
+        options);
   });
 }
 

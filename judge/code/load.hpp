@@ -35,7 +35,7 @@ Location location_named(std::string_view at);
 /// @throws support::UsageError naming the file and what is wrong with it
 std::string bytes_of(const std::string& path);
 
-/// Loads a flat binary, .COM, MZ .EXE, ELF object or NASM source. An .EXE and an ELF object are
+/// Loads a flat binary, .COM, MZ .EXE, ELF file or NASM source. An .EXE and an ELF file are
 /// recognised by their contents, a .COM program and a source by their names. Any other file is a
 /// flat binary that starts at address 0.
 /// @throws support::UsageError naming the file and what is wrong with it
@@ -57,6 +57,7 @@ void load_exe(Image& image, const std::string& bytes);
 void place_stack_of_exe(Image& image);
 /// Returns the width of the code in an ELF file: 32 for i386, 64 for x86-64, nothing for others.
 std::optional<int> bits_of_elf(std::string_view bytes);
+/// Loads an object, a program or a shared library.
 /// @pre image.bits is 64 if and only if bits_of_elf() says so
 void load_elf(Image& image, const std::string& bytes);
 /// Returns the width that a source states before its first instruction, with BITS or USE.

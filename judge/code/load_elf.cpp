@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "judge/code/call.hpp"
+#include "judge/code/elf_file.hpp"
 #include "judge/code/load.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -14,158 +15,34 @@ namespace fixproof::judge {
 
 namespace {
 
+using elf::Relocation;
+using elf::Section;
 using support::UsageError;
-
-/// The address of the first section. It keeps 0 an invalid pointer.
-constexpr std::uint32_t load_address = 0x1000;
-/// More than there is room for; sections of a damaged file may add up to any size.
-constexpr std::size_t max_code_bytes = 0x100000;
-/// The names that are read, together. Those of C++ may be long, those of a damaged file of any
-/// length.
-constexpr std::size_t max_name_bytes = std::size_t{1} << 22U;
-/// A name that the object lacks gets an address beyond all memory, so that its use faults, and this
-/// many bytes around the address, so that the fault tells the name.
-constexpr std::uint32_t first_missing = 0x40000000;
-constexpr std::uint32_t bytes_of_missing = 2 * Symbol::reach;
-constexpr std::size_t max_missing = first_missing / bytes_of_missing;
-
-/// GCC's function for position-independent code. No user asks for it.
-bool is_thunk(const std::string& name) { return name.starts_with("__x86.get_pc_thunk."); }
-
-/// What both classes of objects have.
-struct Section {
-  std::uint32_t type = 0;
-  std::uint32_t link = 0;
-  std::uint32_t info = 0;
-  std::uint64_t flags = 0;
-  std::uint64_t offset = 0;  ///< in the file
-  std::uint64_t size = 0;
-  std::uint64_t alignment = 0;
-  std::uint32_t place = 0;  ///< in memory
-};
-struct ElfSymbol {
-  std::uint32_t name = 0;
-  std::uint16_t section = 0;
-  unsigned binding = 0;
-  std::uint32_t value = 0;
-  std::uint64_t size = 0;
-};
-struct Relocation {
-  std::uint32_t type = 0;
-  std::uint32_t symbol = 0;
-  std::uint64_t offset = 0;
-  std::optional<std::int64_t> addend{};  ///< if it does not stand in the section
-};
-
-template <class Theirs>
-Section section_of(const Theirs& s) {
-  return {s.sh_type, s.sh_link, s.sh_info, s.sh_flags, s.sh_offset, s.sh_size, s.sh_addralign, 0};
-}
-template <class Theirs>
-ElfSymbol symbol_of(const Theirs& s) {
-  return {s.st_name, s.st_shndx, static_cast<unsigned>(ELF32_ST_BIND(s.st_info)),
-          static_cast<std::uint32_t>(s.st_value), s.st_size};
-}
 
 class Object {
  public:
-  Object(Image& image, const std::string& bytes)
-      : image_(image), bytes_(bytes), is_64_(image.bits == 64) {}
+  Object(Image& image, elf::File& file) : image_(image), file_(file), missing_(image) {}
 
   void load() {
-    const auto header = at<Elf32_Ehdr>(0);  // in 64 bits, too, these members have their places
-    if (header.e_type == ET_DYN) {
-      throw UsageError(
-          "the ELF file is linked; give the object from before linking, or call a function of a "
-          "shared library with eval --by FILE:FUNCTION (docs/judge.md)");
-    }
-    if (header.e_type != ET_REL) {
-      throw UsageError("the ELF file is linked; give the object from before linking");
-    }
-    if (is_64_) {
-      const auto wide = at<Elf64_Ehdr>(0);
-      read_sections<Elf64_Shdr>(wide.e_shoff, wide.e_shnum, wide.e_shentsize);
-    } else {
-      read_sections<Elf32_Shdr>(header.e_shoff, header.e_shnum, header.e_shentsize);
-    }
-    expect_sound_tables();
+    file_.expect_sound_tables();
     place();
     read_symbols();
-    const std::uint32_t unused_list = is_64_ ? SHT_REL : SHT_RELA;
-    for (const Section& section : sections_) {
-      if (section.type == list_type()) relocate(section);
-      if (section.type == unused_list && is_placed(section.info)) {
-        throw UsageError(is_64_ ? "the ELF file has relocations without addends, which x86-64 code "
-                                  "does not use"
-                                : "the ELF file has relocations with addends, which i386 code does "
-                                  "not use");
+    for (const Section& section : file_.sections()) {
+      if (section.type == file_.list_type()) relocate(section);
+      if (file_.is_unused_list(section) && file_.is_placed(section.info)) {
+        throw file_.unused_list();
       }
     }
   }
 
  private:
-  [[nodiscard]] std::uint32_t list_type() const { return is_64_ ? SHT_RELA : SHT_REL; }
   /// The bytes of an entry of the global offset table.
-  [[nodiscard]] std::uint32_t entry_bytes() const { return is_64_ ? 8 : 4; }
-
-  template <class Theirs>
-  void read_sections(std::uint64_t offset, std::uint32_t count, std::uint32_t entry_size) {
-    if (entry_size != sizeof(Theirs)) throw damaged();
-    for (std::uint32_t i = 0; i < count; ++i) {
-      sections_.push_back(section_of(at<Theirs>(offset + std::uint64_t{i} * sizeof(Theirs))));
-    }
-  }
-
-  [[nodiscard]] std::uint64_t symbols_in(const Section& table) const {
-    return table.size / (is_64_ ? sizeof(Elf64_Sym) : sizeof(Elf32_Sym));
-  }
-  [[nodiscard]] ElfSymbol symbol_at(const Section& table, std::uint64_t number) const {
-    return is_64_ ? symbol_of(at<Elf64_Sym>(table.offset + number * sizeof(Elf64_Sym)))
-                  : symbol_of(at<Elf32_Sym>(table.offset + number * sizeof(Elf32_Sym)));
-  }
-  [[nodiscard]] std::uint64_t relocations_in(const Section& list) const {
-    return list.size / (is_64_ ? sizeof(Elf64_Rela) : sizeof(Elf32_Rel));
-  }
-  [[nodiscard]] Relocation relocation_at(const Section& list, std::uint64_t number) const {
-    if (!is_64_) {
-      const auto one = at<Elf32_Rel>(list.offset + number * sizeof(Elf32_Rel));
-      return {ELF32_R_TYPE(one.r_info), ELF32_R_SYM(one.r_info), one.r_offset};
-    }
-    const auto one = at<Elf64_Rela>(list.offset + number * sizeof(Elf64_Rela));
-    return {static_cast<std::uint32_t>(ELF64_R_TYPE(one.r_info)),
-            static_cast<std::uint32_t>(ELF64_R_SYM(one.r_info)), one.r_offset, one.r_addend};
-  }
-
-  static UsageError damaged() { return UsageError{"the ELF file is damaged"}; }
-
-  template <class T>
-  [[nodiscard]] T at(std::uint64_t offset) const {
-    T value{};
-    if (offset > bytes_.size() || bytes_.size() - offset < sizeof value) throw damaged();
-    std::memcpy(&value, bytes_.data() + offset, sizeof value);
-    return value;
-  }
-
-  [[nodiscard]] std::string text_at(const Section& strings, std::uint32_t offset) {
-    std::string text;
-    for (std::uint64_t i = strings.offset + offset;; ++i) {
-      const char c = at<char>(i);
-      if (c == '\0') return text;
-      if (name_bytes_++ == max_name_bytes) {
-        throw UsageError("the names in the ELF file have more than 4 MiB");
-      }
-      text += c;
-    }
-  }
-
-  [[nodiscard]] bool is_placed(std::uint32_t section) const {
-    return section < sections_.size() && (sections_[section].flags & SHF_ALLOC) != 0;
-  }
+  [[nodiscard]] std::uint32_t entry_bytes() const { return file_.is_64() ? 8 : 4; }
 
   /// Appends zeros to the code and data, and returns where they start.
   static std::uint32_t reserve(std::string& flat, std::uint64_t alignment, std::uint64_t size) {
-    if (alignment > 0x1000) throw damaged();
-    if (size > max_code_bytes || flat.size() + alignment + size > max_code_bytes) {
+    if (alignment > 0x1000) throw elf::damaged();
+    if (size > elf::max_code_bytes || flat.size() + alignment + size > elf::max_code_bytes) {
       throw UsageError("the ELF file has more than 1 MiB of code and data");
     }
     if (alignment > 1) flat.resize((flat.size() + alignment - 1) / alignment * alignment);
@@ -177,31 +54,32 @@ class Object {
   /// Places the sections one after the other.
   void place() {
     std::string flat;
-    for (Section& section : sections_) {
+    for (Section& section : file_.sections()) {
       if ((section.flags & SHF_ALLOC) == 0) continue;
       const std::uint32_t start = reserve(flat, section.alignment, section.size);
-      section.place = load_address + start;
+      section.place = elf::load_address + start;
       if (section.type == SHT_NOBITS) continue;
-      if (section.offset > bytes_.size() || bytes_.size() - section.offset < section.size) {
-        throw damaged();
+      if (section.offset > file_.bytes().size() ||
+          file_.bytes().size() - section.offset < section.size) {
+        throw elf::damaged();
       }
-      flat.replace(start, section.size, bytes_, section.offset, section.size);
+      flat.replace(start, section.size, file_.bytes(), section.offset, section.size);
     }
     if (flat.empty()) throw UsageError("the ELF file has no code");
     place_common_symbols(flat);
     place_offset_table(flat);
-    image_.container = "ELF object";
-    load_flat(image_, flat, load_address);
+    image_.container = object_container;
+    load_flat(image_, flat, elf::load_address);
   }
 
   /// Places variables without a section, which older compilers make of `int counter;` in C.
   void place_common_symbols(std::string& flat) {
-    for (const Section& table : sections_) {
+    for (const Section& table : file_.sections()) {
       if (table.type != SHT_SYMTAB) continue;
-      for (std::uint64_t i = 0; i < symbols_in(table); ++i) {
-        const ElfSymbol symbol = symbol_at(table, i);
+      for (std::uint64_t i = 0; i < file_.symbols_in(table); ++i) {
+        const elf::Symbol symbol = file_.symbol_at(table, i);
         if (symbol.section != SHN_COMMON) continue;
-        common_[i] = load_address + reserve(flat, symbol.value, symbol.size);
+        common_[i] = elf::load_address + reserve(flat, symbol.value, symbol.size);
       }
     }
   }
@@ -210,76 +88,50 @@ class Object {
   /// entry gets one of its own.
   void place_offset_table(std::string& flat) {
     flat.resize((flat.size() + 7) / 8 * 8);
-    offset_table_ = next_entry_ = load_address + static_cast<std::uint32_t>(flat.size());
-    for (const Section& list : sections_) {
-      if (list.type != list_type() || !is_placed(list.info)) continue;
-      for (std::uint64_t i = 0; i < relocations_in(list); ++i) {
-        if (needs_entry(relocation_at(list, i).type)) flat.append(entry_bytes(), '\0');
+    offset_table_ = next_entry_ = elf::load_address + static_cast<std::uint32_t>(flat.size());
+    for (const Section& list : file_.sections()) {
+      if (list.type != file_.list_type() || !file_.is_placed(list.info)) continue;
+      for (std::uint64_t i = 0; i < file_.relocations_in(list); ++i) {
+        if (needs_entry(file_.relocation_at(list, i).type)) flat.append(entry_bytes(), '\0');
       }
     }
   }
 
   [[nodiscard]] bool needs_entry(std::uint32_t type) const {
-    if (!is_64_) return type == R_386_GOT32 || type == R_386_GOT32X;
+    if (!file_.is_64()) return type == R_386_GOT32 || type == R_386_GOT32X;
     return type == R_X86_64_GOTPCREL || type == R_X86_64_GOTPCRELX ||
            type == R_X86_64_REX_GOTPCRELX;
   }
 
-  /// One table of symbols, and relocations that do not share bytes: otherwise a small file could
-  /// ask for any amount of work.
-  void expect_sound_tables() const {
-    std::uint64_t symbol_tables = 0;
-    std::uint64_t relocation_bytes = 0;
-    for (const Section& table : sections_) {
-      if (table.type == SHT_SYMTAB) ++symbol_tables;
-      if (table.type != list_type()) continue;
-      if (table.size > bytes_.size()) throw damaged();
-      relocation_bytes += table.size;
-    }
-    if (symbol_tables > 1 || relocation_bytes > bytes_.size()) throw damaged();
-  }
-
-  [[nodiscard]] const Section& section(std::uint32_t number) const {
-    if (number >= sections_.size()) throw damaged();
-    return sections_[number];
-  }
-
   void read_symbols() {
-    for (const Section& table : sections_) {
+    for (const Section& table : file_.sections()) {
       if (table.type != SHT_SYMTAB) continue;
-      for (std::uint64_t i = 0; i < symbols_in(table); ++i) {
-        const ElfSymbol symbol = symbol_at(table, i);
-        const bool is_code =
-            is_placed(symbol.section) && (section(symbol.section).flags & SHF_EXECINSTR) != 0;
+      for (std::uint64_t i = 0; i < file_.symbols_in(table); ++i) {
+        const elf::Symbol symbol = file_.symbol_at(table, i);
+        const bool is_code = file_.is_placed(symbol.section) &&
+                             (file_.section(symbol.section).flags & SHF_EXECINSTR) != 0;
         if (!is_code || symbol.name == 0 || symbol.binding == STB_LOCAL) continue;
-        std::string name = text_at(section(table.link), symbol.name);
-        if (is_thunk(name)) continue;
-        image_.symbols.push_back({std::move(name), section(symbol.section).place + symbol.value});
+        std::string name = file_.name_of(table, symbol);
+        if (!elf::is_routine(name)) continue;
+        image_.symbols.push_back(
+            {std::move(name), file_.section(symbol.section).place + symbol.value});
       }
     }
   }
 
   [[nodiscard]] std::uint32_t value_of(const Section& table, std::uint32_t number) {
-    if (number >= symbols_in(table)) throw damaged();
-    const ElfSymbol symbol = symbol_at(table, number);
+    const elf::Symbol symbol = file_.symbol_at(table, number);
     if (symbol.section == SHN_ABS) return symbol.value;
     if (const auto place = common_.find(number); place != common_.end()) return place->second;
-    if (is_placed(symbol.section)) return section(symbol.section).place + symbol.value;
+    if (file_.is_placed(symbol.section)) return file_.section(symbol.section).place + symbol.value;
     if (symbol.binding == STB_WEAK) return 0;
-    const auto [known, is_new] = missing_.try_emplace(number, 0);
-    if (is_new) {
-      if (image_.missing.size() == max_missing) throw damaged();
-      known->second = first_missing + Symbol::reach +
-                      static_cast<std::uint32_t>(image_.missing.size()) * bytes_of_missing;
-      image_.missing.push_back({text_at(section(table.link), symbol.name), known->second});
-    }
-    return known->second;
+    return missing_.address_of(number, [&] { return file_.name_of(table, symbol); });
   }
 
   /// All 16-bit addresses have memory, so no fault tells that a name is missing.
   void expect_present(const Section& table, std::uint32_t number) {
     if (!missing_.contains(number)) return;
-    const std::string name = text_at(section(table.link), symbol_at(table, number).name);
+    const std::string name = file_.name_of(table, file_.symbol_at(table, number));
     throw UsageError(
         fmt::format("the code uses {}, which the object does not have", support::quoted(name)));
   }
@@ -344,20 +196,20 @@ class Object {
   }
 
   [[nodiscard]] std::uint32_t bytes_of(const Relocation& one) const {
-    if (is_64_) return one.type == R_X86_64_64 || one.type == R_X86_64_PC64 ? 8 : 4;
+    if (file_.is_64()) return one.type == R_X86_64_64 || one.type == R_X86_64_PC64 ? 8 : 4;
     return one.type == R_386_16 || one.type == R_386_PC16 ? 2 : 4;
   }
 
   void relocate(const Section& list) {
-    if (!is_placed(list.info)) return;  // debugging information
-    const Section& to = section(list.info);
-    for (std::uint64_t i = 0; i < relocations_in(list); ++i) {
-      const Relocation one = relocation_at(list, i);
+    if (!file_.is_placed(list.info)) return;  // debugging information
+    const Section& to = file_.section(list.info);
+    for (std::uint64_t i = 0; i < file_.relocations_in(list); ++i) {
+      const Relocation one = file_.relocation_at(list, i);
       const std::uint32_t size = bytes_of(one);
-      if (one.offset > to.size || to.size - one.offset < size) throw damaged();
+      if (one.offset > to.size || to.size - one.offset < size) throw elf::damaged();
       const std::uint32_t place = to.place + static_cast<std::uint32_t>(one.offset);
       std::uint8_t* const bytes = image_.memory.data() + place;
-      const Section& symbols = section(list.link);
+      const Section& symbols = file_.section(list.link);
       if (one.addend) {
         const std::uint32_t added = addend_of_64_bits(one, symbols, place);
         const auto sum = static_cast<std::int64_t>(static_cast<std::int32_t>(added)) + *one.addend;
@@ -371,19 +223,27 @@ class Object {
   }
 
   Image& image_;
-  const std::string& bytes_;
-  bool is_64_;
-  std::vector<Section> sections_;
-  std::size_t name_bytes_ = 0;
-  std::map<std::uint32_t, std::uint32_t> missing_;  ///< the addresses of missing symbols
-  std::map<std::uint64_t, std::uint32_t> common_;   ///< those of variables without a section
+  elf::File& file_;
+  elf::MissingNames missing_;
+  std::map<std::uint64_t, std::uint32_t> common_;  ///< the addresses of variables without a section
   std::uint32_t offset_table_ = 0;
   std::uint32_t next_entry_ = 0;  ///< the first free one of the table
 };
 
 }  // namespace
 
-void load_elf(Image& image, const std::string& bytes) { Object(image, bytes).load(); }
+void load_elf(Image& image, const std::string& bytes) {
+  elf::File file(bytes, image.bits == 64);
+  switch (file.kind()) {
+    case ET_REL:
+      return Object(image, file).load();
+    case ET_EXEC:
+    case ET_DYN:
+      return elf::load_linked(image, file);
+    default:
+      throw UsageError("the ELF file is neither an object nor a program or shared library");
+  }
+}
 
 std::optional<int> bits_of_elf(std::string_view bytes) {
   Elf32_Ehdr header{};  // in 64 bits, too, these members have their places

@@ -23,7 +23,7 @@ struct Step {
 /// A read or write of memory by a step.
 struct Access {
   std::uint32_t step = 0;
-  std::uint32_t address = 0;  ///< linear
+  std::uint64_t address = 0;  ///< linear; also one without memory
   std::uint32_t bytes = 0;
   std::uint32_t is_write = 0;
   std::uint32_t value = 0;  ///< what is read; 0 for a write

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
 
@@ -42,6 +44,9 @@ std::string absence_on_processor(const Image& image) {
   if (image.bits == 64) return "64-bit code runs on Unicorn only";
   if (image.code_segment != 0 || image.data_segment != 0) {
     return "code with several real-mode segments runs on Unicorn only";
+  }
+  if (image.base != 0) {
+    return fmt::format("code that is linked for {:x}h runs on Unicorn only", image.base);
   }
   return machine_code::HostSegment::absence();
 }

@@ -141,7 +141,7 @@ class ImageMachine : public x86model::symbolic::Machine {
     const auto known = state_.memory.find(address);
     if (known != state_.memory.end()) return known->second;
     if (address >= image_.first && address < image_.end) {
-      return t_.constant(image_.memory[address], 8);
+      return t_.constant(image_.memory[image_.index_of(address)], 8);
     }
     throw Obstacle(fmt::format("a read of uninitialised memory at {:x}h is not modelled", address));
   }

@@ -51,7 +51,7 @@ Ends open_ends() {
 
 /// Runs `act(ends)` in the child, which never replies by itself, with little time.
 template <class Act>
-Downfall downfall_of_writer(Act act) {
+Downfall downfall_of_writer(Act act, Calls calls = Calls::fewest) {
   Confined child(
       [act](Confined::Steps&) {
         return [act, ends = open_ends()](std::string_view) -> std::string {
@@ -61,7 +61,7 @@ Downfall downfall_of_writer(Act act) {
           return "";
         };
       },
-      memory, Calls::fewest);
+      memory, calls);
   return child.ask("request", allowance(milliseconds(500))).downfall;
 }
 
@@ -175,12 +175,14 @@ TEST(Confined, CtrlCEndsTheWaitForTheRestOfAReply) {
 }
 
 TEST(Confined, UsesItsOwnPipesOnly) {
-  for (const int wrong : {0, 1, 2, 777}) {
-    EXPECT_EQ(downfall_of_writer([wrong](Ends) { (void)!write(wrong, "x", 1); }),
+  for (const Calls calls : {Calls::fewest, Calls::emulator}) {
+    for (const int wrong : {0, 1, 2, 777}) {
+      EXPECT_EQ(downfall_of_writer([wrong](Ends) { (void)!write(wrong, "x", 1); }, calls),
+                Downfall::system_call);
+    }
+    EXPECT_EQ(downfall_of_writer([](Ends ends) { (void)!write(ends.in, "x", 1); }, calls),
               Downfall::system_call);
   }
-  EXPECT_EQ(downfall_of_writer([](Ends ends) { (void)!write(ends.in, "x", 1); }),
-            Downfall::system_call);
 }
 
 TEST(Confined, GetsNoMemoryToExecute) {

@@ -51,6 +51,38 @@ TEST(Decoded, FlagsAreIntels) {
   EXPECT_EQ(flags_of({0x7F, 0x00}), "jnle ZSO - -");
 }
 
+TEST(Decoded, PrivilegedInstructionsAreIntels) {
+  const auto is_privileged = [](const Bytes& bytes) { return decoded(bytes, 0, 64).is_privileged; };
+  const std::vector<Bytes> privileged{
+      {0xFA},                    // CLI
+      {0xFB},                    // STI
+      {0xF4},                    // HLT
+      {0x0F, 0x06},              // CLTS
+      {0x0F, 0x09},              // WBINVD
+      {0x0F, 0x22, 0xC0},        // MOV CR0
+      {0x0F, 0x20, 0xD8},        // MOV from CR3
+      {0x0F, 0x23, 0xF8},        // MOV DR7
+      {0x0F, 0x30},              // WRMSR
+      {0x0F, 0x32},              // RDMSR
+      {0x0F, 0x01, 0xF8},        // SWAPGS
+      {0x0F, 0x01, 0x14, 0x24},  // LGDT
+      {0x0F, 0x01, 0x1C, 0x24},  // LIDT
+      {0x0F, 0x00, 0xD8},        // LTR
+  };
+  for (const Bytes& bytes : privileged) EXPECT_TRUE(is_privileged(bytes)) << bytes.back();
+  const std::vector<Bytes> others{
+      {0x90},                          // NOP
+      {0x9D},                          // POPF
+      {0x0F, 0x05},                    // SYSCALL
+      {0x0F, 0x31},                    // RDTSC
+      {0x0F, 0xA2},                    // CPUID
+      {0x0F, 0x01, 0x04, 0x24},        // SGDT
+      {0x0F, 0x01, 0xD0},              // XGETBV
+      {0xF3, 0x48, 0x0F, 0xAE, 0xD0},  // WRFSBASE
+  };
+  for (const Bytes& bytes : others) EXPECT_FALSE(is_privileged(bytes)) << bytes.back();
+}
+
 TEST(Decoded, AShiftByOneDefinesOverflow) {
   EXPECT_EQ(flags_of({0xD1, 0xE0}), "shl - CPZSO A");
   EXPECT_EQ(flags_of({0xC1, 0xE0, 0x01}), "shl - CPZSO A");

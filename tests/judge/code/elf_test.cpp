@@ -101,21 +101,6 @@ TEST(JudgeElf, AVariableWithoutASection) {
          0, {"AGREES on 5,000 cases", "no foreign memory is used"});
 }
 
-TEST(JudgeElf, ALinkedFileIsRefused) {
-  if (!command::has("ld")) GTEST_SKIP() << "no ld";
-  const ScratchFolder folder;
-  const std::string object = object_file(folder, plain_mul);
-  const auto link = [&](const std::string& kind) {
-    const std::string to = folder.path("linked");
-    EXPECT_EQ(command::run({"ld", "-m", "elf_i386", kind, "-e", "0", "-o", to, object}).status, 0);
-    return to;
-  };
-  command::expect_usage_error(judge_symbol(link("-shared"), "mul"),
-                              "call a function of a shared library with eval --by FILE:FUNCTION");
-  command::expect_usage_error(judge_symbol(link("-static"), "mul"),
-                              "the ELF file is linked; give the object from before linking\n");
-}
-
 TEST(JudgeElf, AnObjectOfAnotherProcessorIsRefused) {
   const ScratchFolder folder;
   const std::string from = folder.write("wide.asm", "bits 64\nmul: mov rax, rdi\nret\n");

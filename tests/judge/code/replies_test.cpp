@@ -60,11 +60,11 @@ std::string trace(std::uint32_t claimed, const std::vector<Step>& steps,
 }
 
 TEST(Replies, FalseTracesAreRefused) {
-  const Access access{.step = 1, .address = 8, .bytes = 4};
+  const Access access{.step = 1, .address = 0x800000000008, .bytes = 4};
   const auto read = read_trace(trace(2, {{}, {.at = 5}}, {access}), 32);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->trace.steps.at(1).at, 5U);
-  EXPECT_EQ(read->trace.accesses.at(0).address, 8U);
+  EXPECT_EQ(read->trace.accesses.at(0).address, 0x800000000008U);
   EXPECT_FALSE(read_trace("", 32));
   EXPECT_FALSE(read_trace(trace(3, {{}, {}}, {}), 32));
   EXPECT_FALSE(read_trace(trace(0xFFFFFFFF, {{}, {}}, {}), 32));

@@ -120,6 +120,14 @@ TEST(JudgeWide, PointersAndNumbersOf64Bits) {
          1, {"frame sysv"});
 }
 
+TEST(JudgeWide, AProtectedStackIsNoForeignMemory) {
+  expect(judge_source("mov rax, [fs:0x28]\npush rax\n" + product +
+                          "mov rax, rdi\nsar rax, 16\npop rcx\nsub rcx, [fs:0x28]\njne wrong\nret\n"
+                          "wrong: hlt\n",
+                      as_mul),
+         0, {"AGREES on 5,000 cases", "no foreign memory is used"});
+}
+
 TEST(JudgeWide, RelocationsOfObjects) {
   const ScratchFolder folder;
   const std::string source =
