@@ -47,8 +47,10 @@ proof::Output output_of(const std::vector<std::string>& command, const std::stri
   try {
     proof::Output output = proof::run_program(command, input, most_time);
     if (output.in_time && output.status == 0) return output;
-    throw UsageError(fmt::format("{} {}\n{}", command.front(),
-                                 output.in_time ? "fails:" : "does not end", output.err));
+    // The first message: the others follow from it.
+    throw UsageError(fmt::format("{} {} {}", command.front(),
+                                 output.in_time ? "fails:" : "does not end",
+                                 output.err.substr(0, output.err.find('\n'))));
   } catch (const std::system_error& error) {
     throw UsageError(fmt::format("{} cannot be run: {}", command.front(), error.code().message()));
   } catch (const proof::Killed& killed) {

@@ -11,7 +11,7 @@ namespace fixproof::judge {
 
 /// A compiler and how it is called.
 struct Compilation {
-  std::string compiler;  ///< on the PATH
+  std::string compiler;  ///< a path, or a name on the PATH
   std::string level;     ///< -O2
   std::string headers;   ///< the folder that holds fixed/fixed.hpp
 };

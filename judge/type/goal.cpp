@@ -220,8 +220,7 @@ std::vector<Goal> goals() { return Goals().all(); }
 
 std::string source_of(std::span<const Goal> goals) {
   std::string text =
-      "#include \"fixed/checked.hpp\"\n#include \"fixed/fixed.hpp\"\n#include "
-      "\"fixed/formats.hpp\"\n#include \"fixed/math.hpp\"\nusing namespace fixproof;\n"
+      "#include <fixed/fixed.hpp>\nusing namespace fixproof;\n"
       "extern \"C\" {\n";
   for (const Goal& goal : goals) {
     std::string operands;

@@ -70,24 +70,6 @@ class Function {
   std::uint64_t calls_ = 0;
 };
 
-/// Random operands of every size, and those at the ends of the range.
-Words operands_of(const Signature& signature, std::uint64_t number) {
-  cases::Draw draw(0xfeed, number);
-  Words words;
-  for (const Parameter& p : signature.operands) {
-    const std::uint64_t ones = ~std::uint64_t{0} >> (64 - p.bits);
-    const std::uint64_t top = std::uint64_t{1} << (p.bits - 1);
-    const std::array<std::uint64_t, 8> edges{0, 1, ones, top, top - 1, top + 1, top / 2, ones - 1};
-    const auto magnitude = static_cast<std::uint64_t>(draw.magnitude(std::min(p.bits, 62)));
-    const std::uint64_t word = draw.below(4) == 0 ? edges.at(draw.below(edges.size()))
-                               : draw.coin()      ? draw.bits()
-                               : draw.coin()      ? 0 - magnitude
-                                                  : magnitude;
-    words.push_back(word & ones);
-  }
-  return words;
-}
-
 std::string text_of(const Function::Answer& answer) {
   if (answer.end == End::divide_error) return "raises a divide error (#DE)";
   if (answer.end == End::bad_instruction) return "raises an error";
@@ -209,6 +191,23 @@ class Prover {
 };
 
 }  // namespace
+
+Words operands_of(const Signature& signature, std::uint64_t number) {
+  cases::Draw draw(0xfeed, number);
+  Words words;
+  for (const Parameter& p : signature.operands) {
+    const std::uint64_t ones = ~std::uint64_t{0} >> (64 - p.bits);
+    const std::uint64_t top = std::uint64_t{1} << (p.bits - 1);
+    const std::array<std::uint64_t, 8> edges{0, 1, ones, top, top - 1, top + 1, top / 2, ones - 1};
+    const auto magnitude = static_cast<std::uint64_t>(draw.magnitude(std::min(p.bits, 62)));
+    const std::uint64_t word = draw.below(4) == 0 ? edges.at(draw.below(edges.size()))
+                               : draw.coin()      ? draw.bits()
+                               : draw.coin()      ? 0 - magnitude
+                                                  : magnitude;
+    words.push_back(word & ones);
+  }
+  return words;
+}
 
 GoalProof prove(const Goal& goal, const Image& image, const Ask& ask) {
   return Prover(goal, image, ask).prove();

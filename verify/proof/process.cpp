@@ -105,7 +105,9 @@ std::string contents(std::FILE* file) {
 /// children too. @throws std::system_error if it cannot be started
 bp::child start(const std::vector<std::string>& arguments, bp::group& group, std::FILE* in,
                 std::FILE* out, std::FILE* err, const std::function<void()>& confine) {
-  const auto program = bp::search_path(arguments.front());
+  const std::string& name = arguments.front();
+  const auto program =
+      name.find('/') == std::string::npos ? bp::search_path(name) : boost::filesystem::path(name);
   if (program.empty()) {
     throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
                             arguments.front());

@@ -23,9 +23,9 @@ struct Output {
   bool in_time = true;  ///< if false, the program was killed and its output may be incomplete
 };
 
-/// Runs `arguments[0]`, found on the PATH, with `input` on standard input. Kills it and everything
-/// that it started after `limit`, or when Interrupt::flag() is set. It also ends when this process
-/// is killed.
+/// Runs `arguments[0]`, a path or a name on the PATH, with `input` on standard input. Kills it and
+/// everything that it started after `limit`, or when Interrupt::flag() is set. It also ends when
+/// this process is killed.
 /// @param confine if there is one, it runs in the child before the program, which then gets no
 /// environment variables
 /// @throws support::Stopped if the flag is set; std::system_error if the program cannot be started;
