@@ -44,6 +44,7 @@ struct TypeOptions {
   std::size_t threads = 0;
   bool quick = false;
   bool lists = false;
+  bool prints_source = false;
   SolverOptions solver{.seconds = 60};
 };
 
@@ -162,7 +163,10 @@ class Run {
     Cell& cell = tallies_[goal.operation][goal.format];
     ++cell.asked;
     ++all_.asked;
-    slowest_ = std::max(slowest_, proof.seconds);
+    if (proof.seconds > slowest_) {
+      slowest_ = proof.seconds;
+      slowest_one_ = line_of(goal);
+    }
     if (proof.standing == Standing::proven) {
       ++cell.proven;
       ++all_.proven;
@@ -205,10 +209,9 @@ class Run {
       }
     }
     text += fmt::format(
-        "\n\n{} proven, {} disproven, {} not decided; the slowest took {:.1f} s; {} questions "
-        "were asked before\n",
-        all_.proven, disproven_, all_.asked - all_.proven - disproven_, slowest_,
-        answers_.remembered());
+        "\n\n{} proven, {} disproven, {} not decided; {} questions were asked before\n",
+        all_.proven, disproven_, all_.asked - all_.proven - disproven_, answers_.remembered());
+    if (slowest_ > 0) text += fmt::format("the slowest, {:.1f} s: {}\n", slowest_, slowest_one_);
     const std::size_t left = tasks_.size() - all_.asked;
     if (left > 0) {
       text +=
@@ -234,6 +237,7 @@ class Run {
   std::size_t disproven_ = 0;
   std::size_t done_ = 0;
   double slowest_ = 0;
+  std::string slowest_one_;
 };
 
 int run(TypeOptions options) {
@@ -246,6 +250,10 @@ int run(TypeOptions options) {
   if (goals.empty()) throw support::UsageError("--only: no function has such a text");
   if (options.lists) {
     for (const Goal& goal : goals) std::cout << line_of(goal) << '\n';
+    return 0;
+  }
+  if (options.prints_source) {
+    std::cout << judge::source_of(goals);
     return 0;
   }
   for (const std::string& compiler : options.compilers) {
@@ -271,6 +279,8 @@ void add_prove_type(CLI::App& prove, int& status) {
       ->check(not_empty());
   command->add_flag("--quick", options->quick, "-O2 only, and no quotients");
   command->add_flag("--list", options->lists, "print what is proven, and ask nothing");
+  command->add_flag("--source", options->prints_source,
+                    "print the C++ functions that are compiled, and ask nothing");
   command
       ->add_option("--answers", options->answers,
                    "keep what is proven in this file; a later run with it goes on from there")
