@@ -156,12 +156,12 @@ TEST(Hostile, BrokenConventions) {
 
 // A routine that finds what an earlier call left faults.
 TEST(Hostile, StateOfTheProcessor) {
-  // XMM15, the control word of SSE, CR3 and the base of FS.
+  // XMM15, the control word of SSE, CR3 and the base of GS.
   const std::string code =
       "f: movq rcx, xmm15\ntest rcx, rcx\njnz .wrong\nmovq xmm15, rsp\n"
       "push 0x5f80\nstmxcsr [rsp-8]\ncmp dword [rsp-8], 0x1f80\njne .wrong\n"
       "ldmxcsr [rsp]\npop rcx\nmov rcx, cr3\ntest ecx, ecx\njnz .wrong\nmov cr3, rsp\n"
-      "mov r8d, eax\nmov ecx, 0xc0000100\nrdmsr\ntest eax, eax\njnz .wrong\ninc eax\nwrmsr\n"
+      "mov r8d, eax\nmov ecx, 0xc0000101\nrdmsr\ntest eax, eax\njnz .wrong\ninc eax\nwrmsr\n"
       "mov eax, r8d\n";
   expect_found(code + multiplies + "ret\n.wrong: mov dword [0x300000], 0\n",
                {"AGREES on 5,000 cases"}, {64});

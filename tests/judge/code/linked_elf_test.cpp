@@ -62,35 +62,34 @@ std::string linked_product(int bits) {
          "to_two: dd two\n";
 }
 
-class JudgeLinkedElf : public testing::Test {
- protected:
+struct JudgeLinkedElf : testing::Test {
   void SetUp() override {
     if (!command::has("ld")) GTEST_SKIP() << "no ld";
   }
 
-  ScratchFolder folder_;
+  ScratchFolder folder;
 };
 
 TEST_F(JudgeLinkedElf, EveryKindIsLoaded) {
   for (const int bits : {32, 64}) {
     for (const std::string& kind : {shared, program, position_independent}) {
       SCOPED_TRACE(fmt::format("{} bits, {}", bits, kind));
-      const std::string file = linked(folder_, bits, linked_product(bits), kind);
+      const std::string file = linked(folder, bits, linked_product(bits), kind);
       expect(judge(file + ":mul", quickly), 0,
              {"linked ELF file", "AGREES on 5,000 cases", "no foreign memory is used"});
     }
     const std::string file =
-        linked(folder_, bits, linked_product(bits), program + "|-Ttext-segment=0x9000000");
+        linked(folder, bits, linked_product(bits), program + "|-Ttext-segment=0x9000000");
     expect(judge(file + ":mul", "--list"), 0, {"org 0x9000", "ret"});
   }
 }
 
 TEST_F(JudgeLinkedElf, AStrippedLibraryHasItsDynamicSymbols) {
   for (const int bits : {32, 64}) {
-    const std::string file = linked(folder_, bits, linked_product(bits), shared + "|-s");
+    const std::string file = linked(folder, bits, linked_product(bits), shared + "|-s");
     expect(judge(file, quickly + "|--symbol|mul"), 0, {"AGREES on 5,000 cases"});
     command::expect_usage_error(judge(file, quickly), "give --symbol; choose one of ");
-    const std::string without = linked(folder_, bits, linked_product(bits), program + "|-s");
+    const std::string without = linked(folder, bits, linked_product(bits), program + "|-s");
     command::expect_usage_error(judge(without, quickly),
                                 "the linked ELF file has no global function");
     command::expect_usage_error(judge(without + ":mul", quickly), "has no symbols; use --at");
@@ -100,15 +99,15 @@ TEST_F(JudgeLinkedElf, AStrippedLibraryHasItsDynamicSymbols) {
 TEST_F(JudgeLinkedElf, ANameThatTheFileLacksIsNamedWhereItIsUsed) {
   const std::string names = "extern other\nglobal f:function\nf: ";
   for (const std::string& file :
-       {linked(folder_, 64, names + "call other wrt ..plt\nret\n", shared, "by_table"),
-        linked(folder_, 32, names + "call other\nret\n", shared + "|-z|notext", "in_code"),
-        linked(folder_, 32, names + "mov eax, [other+8]\nret\n", shared + "|-z|notext", "reads")}) {
+       {linked(folder, 64, names + "call other wrt ..plt\nret\n", shared, "by_table"),
+        linked(folder, 32, names + "call other\nret\n", shared + "|-z|notext", "in_code"),
+        linked(folder, 32, names + "mov eax, [other+8]\nret\n", shared + "|-z|notext", "reads")}) {
     expect(judge(file, quickly), 1,
            {"the routine uses 'other', which needs another file or the loader of the system, at ",
             "h; link it statically"});
   }
   // A weak one is 0.
-  expect(judge(linked(folder_, 64,
+  expect(judge(linked(folder, 64,
                       "extern hook:weak\nglobal f:function\nf: mov rax, [hook wrt ..got]\n"
                       "movsxd rdi, edi\nmovsxd rsi, esi\nadd rax, rdi\nimul rax, rsi\nsar rax, 16\n"
                       "ret\n",
@@ -119,7 +118,7 @@ TEST_F(JudgeLinkedElf, ANameThatTheFileLacksIsNamedWhereItIsUsed) {
 
 TEST_F(JudgeLinkedElf, WhatTheLoaderOfASystemDecidesIsNamed) {
   if (!command::has("gcc")) GTEST_SKIP() << "no gcc";
-  const std::string source = folder_.write(
+  const std::string source = folder.write(
       "lib.c",
       "__thread int counter;\nint counts(int a, int b) { return ++counter + a + b; }\n"
       "static int one(int a) { return a; }\nstatic void* choose(void) { return one; }\n"
@@ -128,7 +127,7 @@ TEST_F(JudgeLinkedElf, WhatTheLoaderOfASystemDecidesIsNamed) {
       "int calls(int a, int b) { return chosen(a) + b; }\n"
       "int hides(int a, int b) { return hidden(a) + b; }\n"
       "int adds(int a, int b) { return a + b; }\n");
-  const std::string to = folder_.path("lib.so");
+  const std::string to = folder.path("lib.so");
   ASSERT_EQ(command::run({"gcc", "-O1", "-fPIC", "-shared", "-nostdlib", "-o", to, source}).status,
             0);
   const std::string as_add = "--as|add|--cases|1000";
@@ -140,9 +139,9 @@ TEST_F(JudgeLinkedElf, WhatTheLoaderOfASystemDecidesIsNamed) {
 
 TEST_F(JudgeLinkedElf, AVariableOfAnotherFileIsRefused) {
   const std::string library =
-      linked(folder_, 64, "global value:data 8\nsection .data\nvalue: dq 5\n", shared, "other.so");
+      linked(folder, 64, "global value:data 8\nsection .data\nvalue: dq 5\n", shared, "other.so");
   const std::string file =
-      linked(folder_, 64, "extern value\nglobal f\nf: mov eax, [abs value]\nret\n",
+      linked(folder, 64, "extern value\nglobal f\nf: mov eax, [abs value]\nret\n",
              "-z|noseparate-code|" + library);
   command::expect_usage_error(
       judge(file, quickly),
@@ -151,25 +150,24 @@ TEST_F(JudgeLinkedElf, AVariableOfAnotherFileIsRefused) {
 
 TEST_F(JudgeLinkedElf, WhatDoesNotFitIsRefused) {
   const std::string large = "global f\nf: ret\nsection .bss\nresb 0x200000\n";
-  command::expect_usage_error(judge(linked(folder_, 64, large, shared), quickly),
+  command::expect_usage_error(judge(linked(folder, 64, large, shared), quickly),
                               "KiB of code and data, and there is room for less than 1 MiB; give ");
   command::expect_usage_error(
-      judge(linked(folder_, 32, linked_product(32), program + "|-Ttext-segment=0x50000000"),
+      judge(linked(folder, 32, linked_product(32), program + "|-Ttext-segment=0x50000000"),
             quickly),
       "the ELF file is linked for 50000000h, and programs have room up to 40000000h");
   command::expect_usage_error(
-      judge(linked(folder_, 32, linked_product(32), shared), quickly + "|--bits|16"),
+      judge(linked(folder, 32, linked_product(32), shared), quickly + "|--bits|16"),
       "--bits 16: a linked ELF file has 32-bit code; leave --bits out");
   if (command::run({"ld", "-z", "pack-relative-relocs", "-v"}).err.empty()) {
     command::expect_usage_error(
-        judge(linked(folder_, 64, linked_product(64), shared + "|-z|pack-relative-relocs"),
-              quickly),
+        judge(linked(folder, 64, linked_product(64), shared + "|-z|pack-relative-relocs"), quickly),
         "has packed relocations; link it without -z pack-relative-relocs");
   }
 }
 
 TEST_F(JudgeLinkedElf, AFunctionMayFollowTheFile) {
-  const std::string file = linked(folder_, 64, linked_product(64), shared);
+  const std::string file = linked(folder, 64, linked_product(64), shared);
   expect(judge(file + ":mul", quickly), 0, {"linked: linked ELF file", "AGREES on 5,000 cases"});
   command::expect_usage_error(judge(file + ":none", quickly),
                               "--symbol 'none': there is no such symbol");
@@ -177,11 +175,11 @@ TEST_F(JudgeLinkedElf, AFunctionMayFollowTheFile) {
                               ":mul' and --symbol both name the routine; leave one out");
   command::expect_usage_error(judge(file + ":mul", quickly + "|--at|7"),
                               "--at and --symbol, or FILE:FUNCTION, both name the routine");
-  command::expect_usage_error(judge(folder_.path("none") + ":mul", quickly),
+  command::expect_usage_error(judge(folder.path("none") + ":mul", quickly),
                               "none:mul: there is no such file");
   // A file of that name wins.
-  expect(judge(folder_.write("linked:mul", "\xF7\xEB\x0F\xAC\xD0\x10\xC3"), judged::in_registers),
-         0, {"linked:mul: flat binary"});
+  expect(judge(folder.write("linked:mul", "\xF7\xEB\x0F\xAC\xD0\x10\xC3"), judged::in_registers), 0,
+         {"linked:mul: flat binary"});
 }
 
 std::string bytes_in(const std::string& path) {
@@ -220,7 +218,7 @@ std::string refusal_of(const std::string& bytes) {
 
 TEST_F(JudgeLinkedElf, CutAndChangedFilesAreRefusedOrLoaded) {
   for (const int bits : {32, 64}) {
-    const std::string whole = bytes_in(linked(folder_, bits, linked_product(bits), shared));
+    const std::string whole = bytes_in(linked(folder, bits, linked_product(bits), shared));
     ASSERT_LT(whole.size(), 8000U);
     EXPECT_EQ(refusal_of(whole), "");
     for (std::size_t size = 1; size < whole.size(); size += 3) {
@@ -237,89 +235,88 @@ TEST_F(JudgeLinkedElf, CutAndChangedFilesAreRefusedOrLoaded) {
 }
 
 /// A shared library of 64 bits whose tables a test changes.
-class DamagedElf : public JudgeLinkedElf {
- protected:
+struct DamagedElf : JudgeLinkedElf {
   void SetUp() override {
     JudgeLinkedElf::SetUp();
     if (IsSkipped()) return;
-    bytes_ = bytes_in(linked(folder_, 64, linked_product(64), shared));
-    header_ = value_at<Elf64_Ehdr>(bytes_, 0);
+    bytes = bytes_in(linked(folder, 64, linked_product(64), shared));
+    header = value_at<Elf64_Ehdr>(bytes, 0);
   }
 
   [[nodiscard]] std::size_t first_of(unsigned type) const {
-    for (unsigned i = 0; i < header_.e_shnum; ++i) {
-      const std::size_t at = header_.e_shoff + i * sizeof(Elf64_Shdr);
-      if (value_at<Elf64_Shdr>(bytes_, at).sh_type == type) return at;
+    for (unsigned i = 0; i < header.e_shnum; ++i) {
+      const std::size_t at = header.e_shoff + i * sizeof(Elf64_Shdr);
+      if (value_at<Elf64_Shdr>(bytes, at).sh_type == type) return at;
     }
     ADD_FAILURE() << "no section of type " << type;
     return 0;
   }
   [[nodiscard]] Elf64_Shdr section_at(std::size_t at) const {
-    return value_at<Elf64_Shdr>(bytes_, at);
+    return value_at<Elf64_Shdr>(bytes, at);
   }
   /// Expects that a change of the first program header leads to a message.
   template <class Change>
   void expect_refused(Change change, const std::string& part = "the ELF file is damaged") {
-    auto segment = value_at<Elf64_Phdr>(bytes_, header_.e_phoff);
+    auto segment = value_at<Elf64_Phdr>(bytes, header.e_phoff);
     ASSERT_EQ(segment.p_type, unsigned{PT_LOAD});
     change(segment);
-    command::expect_contains(refusal_of(with(bytes_, header_.e_phoff, segment)), part);
+    command::expect_contains(refusal_of(with(bytes, header.e_phoff, segment)), part);
   }
 
-  std::string bytes_;
-  Elf64_Ehdr header_{};
+  std::string bytes;
+  Elf64_Ehdr header{};
 };
 
 TEST_F(DamagedElf, Segments) {
-  expect_refused([this](Elf64_Phdr& s) { s.p_offset = bytes_.size() + 1; });
-  expect_refused([this](Elf64_Phdr& s) { s.p_offset = bytes_.size() - s.p_filesz + 1; });
+  expect_refused([this](Elf64_Phdr& s) { s.p_offset = bytes.size() + 1; });
+  expect_refused([this](Elf64_Phdr& s) { s.p_offset = bytes.size() - s.p_filesz + 1; });
   expect_refused([](Elf64_Phdr& s) { s.p_offset = ~std::uint64_t{0}; });
   expect_refused([](Elf64_Phdr& s) { s.p_memsz = s.p_filesz - 1; });
   expect_refused([](Elf64_Phdr& s) { s.p_memsz = ~std::uint64_t{0}; });
   expect_refused([](Elf64_Phdr& s) { s.p_vaddr = 0x100000; });  // above the next one
   expect_refused([](Elf64_Phdr& s) { s.p_type = PT_NULL; }, "has no symbols");
-  auto header = header_;
-  header.e_phoff = bytes_.size() - 8;
-  command::expect_contains(refusal_of(with(bytes_, 0, header)), "is damaged");
-  header = header_;
-  header.e_phentsize = 8;
-  command::expect_contains(refusal_of(with(bytes_, 0, header)), "is damaged");
-  header = header_;
-  header.e_phnum = 0;
-  command::expect_contains(refusal_of(with(bytes_, 0, header)), "the ELF file has no code");
-  header = header_;
-  header.e_shnum = 0;
-  command::expect_contains(refusal_of(with(bytes_, 0, header)), "has no section headers");
-  header = header_;
-  header.e_type = ET_CORE;
-  command::expect_contains(refusal_of(with(bytes_, 0, header)),
+  auto changed = header;
+  changed.e_phoff = bytes.size() - 8;
+  command::expect_contains(refusal_of(with(bytes, 0, changed)), "is damaged");
+  changed = header;
+  changed.e_phentsize = 8;
+  command::expect_contains(refusal_of(with(bytes, 0, changed)), "is damaged");
+  changed = header;
+  changed.e_phnum = 0;
+  command::expect_contains(refusal_of(with(bytes, 0, changed)), "the ELF file has no code");
+  changed = header;
+  changed.e_shnum = 0;
+  command::expect_contains(refusal_of(with(bytes, 0, changed)), "has no section headers");
+  changed = header;
+  changed.e_type = ET_CORE;
+  command::expect_contains(refusal_of(with(bytes, 0, changed)),
                            "is neither an object nor a program");
 }
 
 TEST_F(DamagedElf, Relocations) {
   const std::size_t list_at = first_of(SHT_RELA);
   Elf64_Shdr list = section_at(list_at);
-  const auto first = value_at<Elf64_Rela>(bytes_, list.sh_offset);
+  const auto first = value_at<Elf64_Rela>(bytes, list.sh_offset);
   for (const std::uint64_t place : {std::uint64_t{0x100000}, ~std::uint64_t{0}, ~std::uint64_t{4},
                                     std::uint64_t{0x7FFFFFFF}, std::uint64_t{0xFFFFF000}}) {
     auto changed = first;
     changed.r_offset = place;
-    command::expect_contains(refusal_of(with(bytes_, list.sh_offset, changed)), "is damaged");
+    command::expect_contains(refusal_of(with(bytes, list.sh_offset, changed)), "is damaged");
   }
   auto changed = first;
   changed.r_info = ELF64_R_INFO(99U, R_X86_64_GLOB_DAT);
-  command::expect_contains(refusal_of(with(bytes_, list.sh_offset, changed)), "is damaged");
+  command::expect_contains(refusal_of(with(bytes, list.sh_offset, changed)), "is damaged");
   changed.r_info = ELF64_R_INFO(0U, R_X86_64_SIZE64);
-  command::expect_contains(refusal_of(with(bytes_, list.sh_offset, changed)),
+  command::expect_contains(refusal_of(with(bytes, list.sh_offset, changed)),
                            "the ELF file has a relocation of type 33; give the object");
   list.sh_link = 99;
-  command::expect_contains(refusal_of(with(bytes_, list_at, list)), "is damaged");
+  command::expect_contains(refusal_of(with(bytes, list_at, list)), "is damaged");
   list = section_at(list_at);
-  list.sh_size = bytes_.size() + 24;
-  command::expect_contains(refusal_of(with(bytes_, list_at, list)), "is damaged");
+  list.sh_size = bytes.size() + 24;
+  command::expect_contains(refusal_of(with(bytes, list_at, list)), "is damaged");
   list = section_at(list_at);
   list.sh_type = SHT_REL;
-  command::expect_contains(refusal_of(with(bytes_, list_at, list)),
+  command::expect_contains(refusal_of(with(bytes, list_at, list)),
                            "the ELF file has relocations without addends");
 }
 
@@ -327,15 +324,15 @@ TEST_F(DamagedElf, Symbols) {
   const std::size_t table_at = first_of(SHT_SYMTAB);
   Elf64_Shdr table = section_at(table_at);
   table.sh_size = 1U << 30U;
-  command::expect_contains(refusal_of(with(bytes_, table_at, table)), "is damaged");
+  command::expect_contains(refusal_of(with(bytes, table_at, table)), "is damaged");
   table = section_at(table_at);
   table.sh_link = 99;
-  command::expect_contains(refusal_of(with(bytes_, table_at, table)), "is damaged");
+  command::expect_contains(refusal_of(with(bytes, table_at, table)), "is damaged");
   const auto last = section_at(table_at).sh_info;  // the first global one
   const std::size_t symbol_at = section_at(table_at).sh_offset + last * sizeof(Elf64_Sym);
-  auto symbol = value_at<Elf64_Sym>(bytes_, symbol_at);
+  auto symbol = value_at<Elf64_Sym>(bytes, symbol_at);
   symbol.st_name = ~0U;
-  const std::string text = refusal_of(with(bytes_, symbol_at, symbol));
+  const std::string text = refusal_of(with(bytes, symbol_at, symbol));
   EXPECT_TRUE(text.empty() || text.find("is damaged") != std::string::npos) << text;
 }
 
