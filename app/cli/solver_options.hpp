@@ -15,7 +15,10 @@ struct SolverOptions {
 
   /// Adds the options to a command, which must not outlive this object.
   void add_to(CLI::App& command) {
-    command.add_option("--solver", name, "solver on the PATH: z3, cvc5, or both, which must agree")
+    command
+        .add_option("--solver", name,
+                    "solver on the PATH: z3, cvc5, both, which must agree, or any, whose first "
+                    "answer counts")
         ->check(not_empty())
         ->capture_default_str();
     command.add_option("--timeout", seconds, "time limit per question in seconds")

@@ -128,13 +128,14 @@ bp::child start(const std::vector<std::string>& arguments, bp::group& group, std
                    bp::extend::on_exec_setup = prepare);
 }
 
-/// Waits until the program ends, `latest` passes or Interrupt::flag() is set; in the last two cases
+/// Waits until the program ends, `latest` passes, or Interrupt::flag() or `cancelled` is set; then
 /// it kills the group. @return whether the program ended by itself
-bool wait_until(Clock::time_point latest, bp::child& program, bp::group& group) {
+bool wait_until(Clock::time_point latest, bp::child& program, bp::group& group,
+                const std::atomic<bool>& cancelled) {
   // Boost 1.74's wait_for() forks a process that sleeps, and does not see the flag.
   constexpr std::chrono::milliseconds poll_interval{1};
   while (program.running()) {
-    if (support::Interrupt::flag() || Clock::now() >= latest) {
+    if (support::Interrupt::flag() || cancelled || Clock::now() >= latest) {
       group.terminate();
       program.wait();
       return false;
@@ -148,14 +149,15 @@ bool wait_until(Clock::time_point latest, bp::child& program, bp::group& group) 
 }  // namespace
 
 Output run_program(const std::vector<std::string>& arguments, const std::string& input,
-                   std::chrono::milliseconds limit, const std::function<void()>& confine) {
+                   std::chrono::milliseconds limit, const std::function<void()>& confine,
+                   const std::atomic<bool>& cancelled) {
   if (support::Interrupt::flag()) throw support::Stopped();
   const File in = file_with(input);
   const File out = temporary_file();
   const File err = temporary_file();
   bp::group group;
   bp::child program = start(arguments, group, in.get(), out.get(), err.get(), confine);
-  const bool in_time = wait_until(Clock::now() + limit, program, group);
+  const bool in_time = wait_until(Clock::now() + limit, program, group, cancelled);
   if (!in_time && support::Interrupt::flag()) throw support::Stopped();
   const int status = program.native_exit_code();
   if (in_time && WIFSIGNALED(status)) {

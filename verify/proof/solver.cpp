@@ -2,6 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
+#include <optional>
+
 #include "support/usage_error.hpp"
 #include "verify/proof/known_answers.hpp"
 
@@ -10,9 +16,9 @@ namespace fixproof::proof {
 namespace {
 
 std::vector<std::string> names_in(const std::string& name) {
-  if (name == "both") return {"z3", "cvc5"};
+  if (name == "both" || name == "any") return {"z3", "cvc5"};
   if (name == "z3" || name == "cvc5") return {name};
-  throw support::UsageError(fmt::format("unknown solver '{}'; choose z3, cvc5 or both", name));
+  throw support::UsageError(fmt::format("unknown solver '{}'; choose z3, cvc5, both or any", name));
 }
 
 /// Either decides each of these questions in a fraction of a second.
@@ -45,7 +51,7 @@ SolverAnswer combined(const SolverAnswer& first, const SolverAnswer& second) {
 
 }  // namespace
 
-Solver::Solver(const std::string& name) {
+Solver::Solver(const std::string& name) : must_agree_(name == "both") {
   for (const std::string& program : names_in(name)) programs_.emplace_back(program);
   for (const SolverProgram& program : programs_) expect_known_answers(program);
 }
@@ -53,13 +59,17 @@ Solver::Solver(const std::string& name) {
 std::string Solver::version() const {
   std::string versions;
   for (const SolverProgram& program : programs_) {
-    versions += (versions.empty() ? "" : " and ") + program.version();
+    versions += (versions.empty() ? "" : must_agree_ ? " and " : " or ") + program.version();
   }
   return versions;
 }
 
 SolverAnswer Solver::ask(const std::string& script, int max_seconds) const {
   if (programs_.size() == 1) return programs_.front().ask(script, max_seconds);
+  return must_agree_ ? ask_both(script, max_seconds) : ask_any(script, max_seconds);
+}
+
+SolverAnswer Solver::ask_both(const std::string& script, int max_seconds) const {
   std::vector<SolverAnswer> answers;
   std::string remark;
   double seconds = 0;
@@ -82,6 +92,30 @@ SolverAnswer Solver::ask(const std::string& script, int max_seconds) const {
     answer.remark = remark;
   }
   return answer;
+}
+
+SolverAnswer Solver::ask_any(const std::string& script, int max_seconds) const {
+  // Most questions take z3 less; for some it takes a hundred times as long as for others like them.
+  constexpr std::chrono::seconds head_start{1};
+  std::atomic<bool> is_decided = false;
+  const auto ask_one = [&](const SolverProgram& program) {
+    SolverAnswer answer;
+    try {
+      answer = program.ask(script, max_seconds, is_decided);
+      if (decides(answer)) is_decided = true;
+    } catch (const SolverError& error) {
+      answer.remark = error.what();
+    }
+    return answer;
+  };
+  auto first = std::async(std::launch::async, ask_one, std::cref(programs_.front()));
+  std::optional<SolverAnswer> second;
+  if (first.wait_for(head_start) == std::future_status::timeout) second = ask_one(programs_.back());
+  const SolverAnswer answer = first.get();
+  if (decides(answer)) return answer;
+  if (!second) second = ask_one(programs_.back());
+  if (second->remark.empty()) second->remark = answer.remark;
+  return *second;
 }
 
 }  // namespace fixproof::proof

@@ -9,11 +9,11 @@
 
 namespace fixproof::proof {
 
-/// One solver, or two that must agree.
+/// One solver, or two: they must agree, or the first answer counts.
 class Solver {
  public:
   /// Asks each solver the questions of known_answers() first.
-  /// @param name z3, cvc5 or both
+  /// @param name z3, cvc5, both or any
   /// @throws UsageError for another name, or if a program is not on the PATH or cannot print its
   /// version; SolverError if a solver does not give the known answers; support::Stopped
   explicit Solver(const std::string& name);
@@ -21,13 +21,18 @@ class Solver {
   /// The first line of `--version` of each.
   [[nodiscard]] std::string version() const;
 
-  /// Asks one question, with a time limit of `max_seconds` for each solver. Two solvers decide it
-  /// only if they agree; a solver that fails does not decide it.
+  /// Asks one question, with a time limit of `max_seconds` for each solver. Both decide it only if
+  /// they agree. Of any, the second starts if the first has no answer within a second, and the
+  /// first answer ends the other. One of two that fails does not decide.
   /// @throws SolverError if the only solver fails: see SolverProgram::ask(); support::Stopped
   [[nodiscard]] SolverAnswer ask(const std::string& script, int max_seconds) const;
 
  private:
+  [[nodiscard]] SolverAnswer ask_both(const std::string& script, int max_seconds) const;
+  [[nodiscard]] SolverAnswer ask_any(const std::string& script, int max_seconds) const;
+
   std::vector<SolverProgram> programs_;
+  bool must_agree_ = false;
 };
 
 }  // namespace fixproof::proof

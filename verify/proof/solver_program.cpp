@@ -40,9 +40,11 @@ std::vector<std::string> command_of(const std::string& solver, int max_seconds) 
 }
 
 /// @throws SolverError if the solver cannot run
-Output output_for(const std::string& solver, int max_seconds, const std::string& script) {
+Output output_for(const std::string& solver, int max_seconds, const std::string& script,
+                  const std::atomic<bool>& cancelled) {
   try {
-    return run_program(command_of(solver, max_seconds), script, seconds(max_seconds) + grace);
+    return run_program(command_of(solver, max_seconds), script, seconds(max_seconds) + grace, {},
+                       cancelled);
   } catch (const support::Stopped&) {
     throw;
   } catch (const std::runtime_error& error) {
@@ -83,9 +85,10 @@ SolverProgram::SolverProgram(const std::string& name) : name_(name) {
   version_ = support::printable(first_line(output.out));
 }
 
-SolverAnswer SolverProgram::ask(const std::string& script, int max_seconds) const {
+SolverAnswer SolverProgram::ask(const std::string& script, int max_seconds,
+                                const std::atomic<bool>& cancelled) const {
   const auto begin = std::chrono::steady_clock::now();
-  const Output output = output_for(name_, max_seconds, script);
+  const Output output = output_for(name_, max_seconds, script, cancelled);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   SolverAnswer answer = answer_in(output, name_, script);

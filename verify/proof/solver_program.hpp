@@ -45,10 +45,11 @@ class SolverProgram {
   [[nodiscard]] const std::string& version() const { return version_; }
 
   /// Asks one question, whose script ends in its only (check-sat), with a time limit of
-  /// `max_seconds`.
+  /// `max_seconds`. Without an answer if `cancelled` is set before there is one.
   /// @throws SolverError if the solver cannot run, exits with a status other than 0, says anything
   /// else than an answer, or "sat" without a model that satisfies the script; support::Stopped
-  [[nodiscard]] SolverAnswer ask(const std::string& script, int max_seconds) const;
+  [[nodiscard]] SolverAnswer ask(const std::string& script, int max_seconds,
+                                 const std::atomic<bool>& cancelled = never_cancelled) const;
 
  private:
   std::string name_;
