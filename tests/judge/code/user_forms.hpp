@@ -80,7 +80,7 @@ inline std::vector<Form> all_forms() {
   f.add("or {a}, -3");
   f.add("test {a}, 0x75");
   f.add("xchg al, ah", {8});
-  f.add("push rbp\nmov rbp, rsp\npush rax\nleave", {64});
+  f.add("push rbp\npush rbx\nmov rbp, rsp\npush rax\nleave\nmov rsi, rbp\npop rbp", {64});
   for (const char* const op :
        {"cbw", "cwde", "cdqe", "cwd", "cdq", "cqo", "stc", "clc", "cmc", "cld"}) {
     f.add(op, {64});
@@ -161,6 +161,7 @@ inline std::vector<Form> all_forms() {
   f.add("cwd\nidiv {a}", {16});
   f.add("cdq\nidiv {a}", {32});
   f.add("cqo\nidiv {a}", {64});
+  f.add("shl rax, 63\nmov rbx, -1\ncqo\nidiv rbx", {64});  // the quotient that does not fit
 
   // Single bits.
   for (const char* const op : {"bt", "bts", "btr", "btc"}) {
