@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -21,22 +23,22 @@ struct Form {
 /// RBX, RSI, R8 and RAX in the four sizes.
 inline std::string sized(const std::string& text, int bits) {
   using fmt::arg;
-  const int row = bits == 8 ? 0 : bits == 16 ? 1 : bits == 32 ? 2 : 3;
-  static constexpr const char* names[4][5]{{"bl", "sil", "r8b", "al", "byte"},
-                                           {"bx", "si", "r8w", "ax", "word"},
-                                           {"ebx", "esi", "r8d", "eax", "dword"},
-                                           {"rbx", "rsi", "r8", "rax", "qword"}};
-  return fmt::format(fmt::runtime(text), arg("a", names[row][0]), arg("b", names[row][1]),
-                     arg("c", names[row][2]), arg("acc", names[row][3]), arg("m", names[row][4]));
+  using Names = std::array<const char*, 5>;
+  static constexpr std::array<Names, 4> by_size{{{"bl", "sil", "r8b", "al", "byte"},
+                                                 {"bx", "si", "r8w", "ax", "word"},
+                                                 {"ebx", "esi", "r8d", "eax", "dword"},
+                                                 {"rbx", "rsi", "r8", "rax", "qword"}}};
+  const Names& names = by_size.at(bits == 8 ? 0 : bits == 16 ? 1 : bits == 32 ? 2 : 3);
+  return fmt::format(fmt::runtime(text), arg("a", names[0]), arg("b", names[1]), arg("c", names[2]),
+                     arg("acc", names[3]), arg("m", names[4]));
 }
 
 /// Whether a text names a register or an instruction that only 64-bit code has.
 inline bool is_of_64_bits(const std::string& text) {
-  for (const char* const wide :
-       {"sil", "r8", "rax", "rbx", "rcx", "rdx", "rsi", "rsp", "rbp", "movsxd", "cqo", "cdqe"}) {
-    if (text.find(wide) != std::string::npos) return true;
-  }
-  return false;
+  constexpr std::array wide{"sil", "r8",  "rax", "rbx",    "rcx", "rdx",
+                            "rsi", "rsp", "rbp", "movsxd", "cqo", "cdqe"};
+  return std::ranges::any_of(
+      wide, [&](const char* each) { return text.find(each) != std::string::npos; });
 }
 
 class Forms {
