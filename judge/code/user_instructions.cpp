@@ -10,10 +10,7 @@ namespace {
 namespace alu = x86model::alu;
 using x86model::CF;
 using x86model::OF;
-using x86model::PF;
 using x86model::Register;
-using x86model::SF;
-using x86model::ZF;
 using Word = x86model::symbolic::Term;
 
 // The instructions that move, extend and combine whole words. user_shifts.cpp, user_products.cpp

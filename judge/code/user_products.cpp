@@ -24,16 +24,20 @@ NumberTerm extended(Terms& t, NumberTerm value, int bits, bool is_signed) {
   return is_signed ? t.sign_extend(value, bits) : t.zero_extend(value, bits);
 }
 
+/// CMOVcc makes choices of choices; each of more levels than this would double the time.
+constexpr int max_choices = 8;
+
 /// The number of 32 bits that a term of 64 extends, if it does.
-std::optional<NumberTerm> narrowed(Terms& t, NumberTerm wide, bool is_signed) {
+std::optional<NumberTerm> narrowed(Terms& t, NumberTerm wide, bool is_signed,
+                                   int choices = max_choices) {
   const Node node = t[wide];
   if (node.op == Op::constant) {
     const NumberTerm low = t.extract(wide, 0, 32);
     return extended(t, low, 64, is_signed) == wide ? std::optional(low) : std::nullopt;
   }
-  if (node.op == Op::ite) {
-    const auto yes = narrowed(t, node.arguments[1], is_signed);
-    const auto no = yes ? narrowed(t, node.arguments[2], is_signed) : std::nullopt;
+  if (node.op == Op::ite && choices > 0) {
+    const auto yes = narrowed(t, node.arguments[1], is_signed, choices - 1);
+    const auto no = yes ? narrowed(t, node.arguments[2], is_signed, choices - 1) : std::nullopt;
     return no ? std::optional(t.ite(node.arguments[0], *yes, *no)) : std::nullopt;
   }
   if (is_signed && node.op == Op::sign_extend && t.width(node.arguments[0]) <= 32) {

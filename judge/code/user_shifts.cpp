@@ -11,8 +11,6 @@ namespace {
 namespace alu = x86model::alu;
 using x86model::CF;
 using x86model::OF;
-using x86model::SF;
-using x86model::ZF;
 using ShiftTerm = x86model::symbolic::Term;
 using x86model::symbolic::FlagTerms;
 using x86model::symbolic::Terms;

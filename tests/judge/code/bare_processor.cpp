@@ -9,7 +9,6 @@
 #include "x86model/flags.hpp"
 
 #if defined(__linux__) && defined(__x86_64__) && !defined(__ILP32__)
-#define BARE_PROCESSOR 1
 #include <cpuid.h>
 #include <sys/mman.h>
 
@@ -74,11 +73,12 @@ std::string Pieces::code(std::size_t index) const {
   return bytes_.substr(begin, offset_in(bytes_, index, 2) - begin);
 }
 
-#ifdef BARE_PROCESSOR
+#if defined(__linux__) && defined(__x86_64__) && !defined(__ILP32__)
 
 struct Pieces::Memory : private boost::noncopyable {
-  explicit Memory(const std::string& bytes) : size(bytes.size()) {
-    at = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  explicit Memory(const std::string& bytes)
+      : size(bytes.size()),
+        at(mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) {
     if (at == MAP_FAILED) throw std::runtime_error("no memory for code");
     std::memcpy(at, bytes.data(), size);
     if (mprotect(at, size, PROT_READ | PROT_EXEC) != 0) throw std::runtime_error("no code");
@@ -115,9 +115,12 @@ bool has(Feature feature) {
     }
     return {1, 3, 0};  // an x87, which all have
   }();
-  std::array<unsigned, 4> words{};
-  return __get_cpuid_count(place.leaf, 0, &words[0], &words[1], &words[2], &words[3]) != 0 &&
-         (words.at(place.word) >> place.bit & 1U) != 0;
+  unsigned eax = 0;
+  unsigned ebx = 0;
+  unsigned ecx = 0;
+  unsigned edx = 0;
+  if (__get_cpuid_count(place.leaf, 0, &eax, &ebx, &ecx, &edx) == 0) return false;
+  return (std::array{eax, ebx, ecx, edx}.at(place.word) >> place.bit & 1U) != 0;
 }
 
 bool Pieces::call(std::size_t index, fixproof::judge::Registers& registers) const {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -21,22 +23,22 @@ struct Form {
 /// RBX, RSI, R8 and RAX in the four sizes.
 inline std::string sized(const std::string& text, int bits) {
   using fmt::arg;
-  const int row = bits == 8 ? 0 : bits == 16 ? 1 : bits == 32 ? 2 : 3;
-  static constexpr const char* names[4][5]{{"bl", "sil", "r8b", "al", "byte"},
-                                           {"bx", "si", "r8w", "ax", "word"},
-                                           {"ebx", "esi", "r8d", "eax", "dword"},
-                                           {"rbx", "rsi", "r8", "rax", "qword"}};
-  return fmt::format(fmt::runtime(text), arg("a", names[row][0]), arg("b", names[row][1]),
-                     arg("c", names[row][2]), arg("acc", names[row][3]), arg("m", names[row][4]));
+  using Names = std::array<const char*, 5>;
+  static constexpr std::array<Names, 4> by_size{{{"bl", "sil", "r8b", "al", "byte"},
+                                                 {"bx", "si", "r8w", "ax", "word"},
+                                                 {"ebx", "esi", "r8d", "eax", "dword"},
+                                                 {"rbx", "rsi", "r8", "rax", "qword"}}};
+  const Names& names = by_size.at(bits == 8 ? 0 : bits == 16 ? 1 : bits == 32 ? 2 : 3);
+  return fmt::format(fmt::runtime(text), arg("a", names[0]), arg("b", names[1]), arg("c", names[2]),
+                     arg("acc", names[3]), arg("m", names[4]));
 }
 
 /// Whether a text names a register or an instruction that only 64-bit code has.
 inline bool is_of_64_bits(const std::string& text) {
-  for (const char* const wide :
-       {"sil", "r8", "rax", "rbx", "rcx", "rdx", "rsi", "rsp", "rbp", "movsxd", "cqo", "cdqe"}) {
-    if (text.find(wide) != std::string::npos) return true;
-  }
-  return false;
+  constexpr std::array wide{"sil", "r8",  "rax", "rbx",    "rcx", "rdx",
+                            "rsi", "rsp", "rbp", "movsxd", "cqo", "cdqe"};
+  return std::ranges::any_of(
+      wide, [&](const char* each) { return text.find(each) != std::string::npos; });
 }
 
 class Forms {
@@ -80,7 +82,7 @@ inline std::vector<Form> all_forms() {
   f.add("or {a}, -3");
   f.add("test {a}, 0x75");
   f.add("xchg al, ah", {8});
-  f.add("push rbp\nmov rbp, rsp\npush rax\nleave", {64});
+  f.add("push rbp\npush rbx\nmov rbp, rsp\npush rax\nleave\nmov rsi, rbp\npop rbp", {64});
   for (const char* const op :
        {"cbw", "cwde", "cdqe", "cwd", "cdq", "cqo", "stc", "clc", "cmc", "cld"}) {
     f.add(op, {64});
@@ -161,6 +163,7 @@ inline std::vector<Form> all_forms() {
   f.add("cwd\nidiv {a}", {16});
   f.add("cdq\nidiv {a}", {32});
   f.add("cqo\nidiv {a}", {64});
+  f.add("shl rax, 63\nmov rbx, -1\ncqo\nidiv rbx", {64});  // the quotient that does not fit
 
   // Single bits.
   for (const char* const op : {"bt", "bts", "btr", "btc"}) {

@@ -91,6 +91,10 @@ TEST(Terms, FoldToWhatTheyMean) {
          t.sign_extend(t.concat(t.constant(x, 3), q), 40));
     const int bits = 1 + static_cast<int>(random() % 16);
     same(t.extract(t.sign_extend(a, 40), low, bits), t.extract(t.sign_extend(p, 40), low, bits));
+    same(t.concat(t.extract(a, 8, 8), t.extract(b, 0, 8)),
+         t.concat(t.extract(p, 8, 8), t.extract(q, 0, 8)));
+    same(t.concat(t.sign_extend(a, 24), t.sign_extend(a, 20)),
+         t.concat(t.sign_extend(p, 24), t.sign_extend(p, 20)));
     same(t.concat(t.constant(5, 3), t.concat(t.constant(1, 2), a)),
          t.concat(t.constant(5, 3), t.concat(t.constant(1, 2), p)));
     same(t.concat(t.concat(a, t.constant(1, 2)), t.constant(5, 3)),
