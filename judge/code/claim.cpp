@@ -38,6 +38,14 @@ std::string abstract_product(bool is_signed, int width, const std::string& x, co
   };
   const char* const sign = is_signed ? "s" : "u";
   if (width < 64) return apply(fmt::format("{}mul{}", sign, width));
+  if (is_signed) {
+    // Code may have the unsigned product, and correct it for each negative factor.
+    const auto if_negative = [](const std::string& a, const std::string& b) {
+      return fmt::format("(ite (bvslt {} (_ bv0 64)) {} (_ bv0 64))", a, b);
+    };
+    facts += fmt::format("(assert (= (smulh64 {0} {1}) (bvsub (bvsub {2} {3}) {4})))\n", x, y,
+                         apply("umulh64"), if_negative(x, y), if_negative(y, x));
+  }
   return fmt::format("(concat {} {})", apply(fmt::format("{}mulh64", sign)), apply("mullo64"));
 }
 

@@ -155,7 +155,8 @@ class Writer {
     add("(define-fun q () {} {})", sort(), wide(divide_->quotient));
     add("(define-fun r () {} {})", sort(), wide(divide_->remainder));
     add("(assert (=> (distinct md {0}) (and (bvslt (size r) (size md)) "
-        "(or (= r {0}) (= (bvslt r {0}) (bvslt mn {0}))) (bvsle (size q) (size mn)) "
+        "(or (= r {0}) (= (bvslt r {0}) (bvslt mn {0}))) (bvsle (size r) (size mn)) "
+        "(bvsle (size q) (size mn)) "
         "(= (= q {0}) (bvslt (size mn) (size md))) (or (= q {0}) (= (bvslt q {0}) (xor (bvslt mn "
         "{0}) (bvslt md {0})))))))",
         number(0));

@@ -65,7 +65,7 @@ class ImageMachine : public x86model::symbolic::Machine {
   bool read(const Operand& o, x86model::Size size, Term& value) const {
     value = o.kind == Operand::Kind::reg         ? read(o.reg)
             : o.kind == Operand::Kind::immediate ? t_.constant(o.value, bits_of(size))
-                                                 : load_at(address_of(o), bits_of(size));
+                                                 : load(address_term(o), bits_of(size));
     return true;
   }
 
@@ -152,9 +152,18 @@ class ImageMachine : public x86model::symbolic::Machine {
     return value;
   }
 
+  /// Loads from a constant address, or from one of several that conditions choose from: compilers
+  /// so choose between constants in memory.
+  [[nodiscard]] Term load(Term address, int bits) const {
+    const x86model::symbolic::Node node = t_[address];
+    if (node.op != x86model::symbolic::Op::ite) return load_at(linear(address), bits);
+    return t_.ite(node.arguments[0], load(node.arguments[1], bits), load(node.arguments[2], bits));
+  }
+
+  [[nodiscard]] std::uint32_t address_of(const Operand& o) const { return linear(address_term(o)); }
+
   /// @throws Obstacle unless the address is a constant
-  [[nodiscard]] std::uint32_t address_of(const Operand& o) const {
-    const Term address = address_term(o);
+  [[nodiscard]] std::uint32_t linear(Term address) const {
     if (!t_.is_constant(address)) {
       throw Obstacle("an address that depends on operands is not modelled");
     }

@@ -82,6 +82,35 @@ std::optional<Factors> narrow_factors(Terms& t, NumberTerm x, NumberTerm y, bool
   return a && b ? std::optional(Factors{*a, *b}) : std::nullopt;
 }
 
+/// A quotient times its divisor: the dividend less the remainder, modulo 2^64. Compilers so take a
+/// remainder, or compare one with zero. Operands for which the divide faults are not on this path.
+std::optional<NumberTerm> product_of_quotient(Terms& t, NumberTerm x, NumberTerm y) {
+  const Node node = t[x];
+  if (node.op != Op::apply || node.arguments.size() != 2 || node.arguments[1] != y) return {};
+  const char* const remainder = node.name == quotient_64            ? remainder_64
+                                : node.name == unsigned_quotient_64 ? unsigned_remainder_64
+                                                                    : nullptr;
+  if (remainder == nullptr) return {};
+  return t.sub(node.arguments[0], t.apply(remainder, node.arguments, 64));
+}
+
+/// A product of a word of copies of one bit, which is 0 or -1.
+std::optional<NumberTerm> product_of_sign(Terms& t, NumberTerm x, NumberTerm y) {
+  const Node node = t[x];
+  if (node.op != Op::sign_extend || t.width(node.arguments[0]) != 1) return {};
+  const NumberTerm zero = t.constant(0, 64);
+  return t.ite(t.bit(node.arguments[0], 0), t.sub(zero, y), zero);
+}
+
+/// The low half of a product of numbers of 64 bits.
+NumberTerm low_product(Terms& t, NumberTerm x, NumberTerm y) {
+  for (const auto known : {product_of_quotient, product_of_sign}) {
+    if (const auto product = known(t, x, y)) return *product;
+    if (const auto product = known(t, y, x)) return *product;
+  }
+  return product_of(t, low_product_64, x, y);
+}
+
 struct WideProduct {
   NumberTerm low;
   NumberTerm high;
@@ -93,7 +122,7 @@ WideProduct wide_product(Terms& t, NumberTerm x, NumberTerm y, bool is_signed) {
   const auto of_unsigned = narrow_factors(t, x, y, false);
   const NumberTerm low = of_signed     ? product_of(t, "smul32", of_signed->x, of_signed->y)
                          : of_unsigned ? product_of(t, "umul32", of_unsigned->x, of_unsigned->y)
-                                       : product_of(t, low_product_64, x, y);
+                                       : low_product(t, x, y);
   // Two numbers of 32 bits without sign have a product of 64 bits, for IMUL too.
   if (of_unsigned) return {low, t.constant(0, 64)};
   if (of_signed && is_signed) return {low, t.sign_extend(t.extract(low, 63, 1), 64)};
