@@ -37,7 +37,7 @@ class Prover {
   RoutineProof prove() {
     if (!is_claimable()) {
       proof_.why =
-          "only mul, add and sub of words of 8, 16 and 32 bits, div of up to 32 bits, and muldiv "
+          "only mul, div, add and sub of words of 8, 16 and 32 bits, and signed muldiv "
           "if --overflow and --no-result are any or de can be proven, and a --rule only if general "
           "rules express it or it is Doom's";
       return proof_;

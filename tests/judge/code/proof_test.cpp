@@ -92,7 +92,7 @@ TEST(JudgeProof, IdivIsProvenFaultsIncluded) {
 TEST(JudgeProof, ARuleWithoutAClaimIsNamed) {
   if (!command::has("z3")) GTEST_SKIP() << "no z3";
   expect(judge(routine("by_fraction"), "--as|mul|--rule|wolf3d" + prove), 0,
-         {"AGREES on", "NOT PROVEN, only judged by cases: only mul, add and sub "});
+         {"AGREES on", "NOT PROVEN, only judged by cases: only mul, div, add and sub "});
 }
 
 TEST(JudgeProof, OneWrongCaseIn2To32IsFoundByTheProofAlone) {
