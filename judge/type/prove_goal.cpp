@@ -193,6 +193,8 @@ class Prover {
 }  // namespace
 
 Words operands_of(const Signature& signature, std::uint64_t number) {
+  // Of zeros alone: 0 / 0 is a case of its own.
+  if (number == 0) return Words(signature.operands.size());
   cases::Draw draw(0xfeed, number);
   Words words;
   for (const Parameter& p : signature.operands) {

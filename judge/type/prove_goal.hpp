@@ -19,8 +19,8 @@ struct GoalProof {
   std::string given{};                          ///< what it does for them
 };
 
-/// Returns the operands of a case by its number: random ones of every size, and those at the ends
-/// of the range.
+/// Returns the operands of a case by its number: zeros, then random ones of every size and those at
+/// the ends of the range.
 std::vector<std::uint64_t> operands_of(const Signature& signature, std::uint64_t number);
 
 /// Follows every path of the function in x86-64 code, and asks about each. First runs it on Unicorn
