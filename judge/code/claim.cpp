@@ -399,13 +399,12 @@ std::optional<Claim> claim_of(const check::Rules& rules, Shape shape) {
   const int bits = format.word_bits;
   const Operation operation = rules.variant.operation;
   if (!is_claimable(rules, shape)) return std::nullopt;
-  const std::string definitions = filled(signs, format);
   Claim claim;
   if (operation == Operation::mul) {
     claim = rounded_claim(exact_product(format, shape), rules);
   } else if (has_quotient(operation)) {
     claim = claim_about(
-        definitions + quotient_of(shape, operation == Operation::mul_div, format),
+        filled(signs, format) + quotient_of(shape, operation == Operation::mul_div, format),
         {.bits = 2 * bits,
          .text = rounded_quotient(rules.rounding, format),
          .lacks = fmt::format("(= {} (_ bv0 {}))", operation == Operation::div ? "b" : "c", bits),

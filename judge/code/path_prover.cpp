@@ -48,20 +48,31 @@ PathAnswer ask_all(const Paths& paths, const std::function<Claim(const Path&)>& 
                    proof::Arithmetic arithmetic, const Ask& ask,
                    const std::function<bool(std::span<const std::uint64_t>)>& fails) {
   PathAnswer result{.standing = Standing::proven};
+  std::size_t number = 0;
   for (const Path& path : paths.all) {
+    ++number;
     const Claim claimed = claim(path);
+    const auto undecided = [&](const std::string& why) {
+      result.standing = Standing::open;
+      result.remark = fmt::format("path {} of {}: {}", number, paths.all.size(), why);
+      return result;
+    };
     for (const std::string& one : claimed.cases) {
       const proof::SolverAnswer answer = ask(question(paths, path, claimed, one, arithmetic));
       result.seconds += answer.seconds;
       if (answer.verdict == Satisfiability::unsatisfiable) continue;
-      result.standing = proof::standing_of(answer.verdict);
-      result.remark = answer.remark;
-      if (answer.verdict != Satisfiability::satisfiable) return result;
+      if (answer.verdict != Satisfiability::satisfiable) {
+        return undecided(answer.remark.empty() ? "the solver has no answer in time"
+                                               : answer.remark);
+      }
       std::vector<std::uint64_t> words;
       for (std::size_t i = 0; i < paths.operands.size(); ++i) {
         words.push_back(proof::word_in_model(answer.model, operand_name(i)));
       }
-      result.standing = fails(words) ? Standing::disproven : Standing::open;
+      if (!fails(words)) {
+        return undecided("the counterexample has products or quotients that do not exist");
+      }
+      result.standing = Standing::disproven;
       return result;
     }
   }

@@ -38,7 +38,7 @@ std::string question(const Paths& paths, const Path& path, const Claim& claim,
 struct PathAnswer {
   proof::Standing standing = proof::Standing::open;
   double seconds = 0;
-  std::string remark{};  ///< of a solver that does not decide
+  std::string remark{};  ///< which path is not decided, and why
 };
 
 /// Asks about each path and each case of its claim, one after the other.

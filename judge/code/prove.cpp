@@ -65,7 +65,6 @@ class Prover {
         if (claim && is_final([&](const Path&) { return *claim; }, arithmetic)) return proof_;
       }
     }
-    if (proof_.why.empty()) proof_.why = "the solver does not decide in time";
     return proof_;
   }
 

@@ -102,9 +102,6 @@ class Prover {
     if (!goal_.says.ways.empty() && !search()) {
       is_final(goal_.says.definition, Arithmetic::exact);
     }
-    if (proof_.standing == Standing::open && proof_.why.empty()) {
-      proof_.why = "the solver does not decide in time";
-    }
     return proof_;
   }
 

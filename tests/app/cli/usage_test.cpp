@@ -161,8 +161,8 @@ TEST(Usage, HelpIsACommandToo) {
 TEST(Usage, HelpIsNoError) {
   for (const std::string_view arguments :
        {"--help", "verify --help", "merge --help", "eval --help", "step --help", "trace --help",
-        "list --help", "prove --help", "prove type --help", "mutate --help", "dos --help", "render --help",
-        "drift --help", "measure --help", "--version"}) {
+        "list --help", "prove --help", "prove type --help", "mutate --help", "dos --help",
+        "render --help", "drift --help", "measure --help", "--version"}) {
     const std::string help = command::output_of(arguments);
     EXPECT_NE(help, "") << arguments;
     // Help must not contain identifiers of the program.
