@@ -143,6 +143,11 @@ class ImageMachine : public x86model::symbolic::Machine {
     if (address >= image_.first && address < image_.end) {
       return t_.constant(image_.memory[image_.index_of(address)], 8);
     }
+    const std::uint32_t stack = image_.data_at(image_.stack_top - stack_bytes);
+    if (address >= stack && address < stack + stack_bytes) {
+      // What earlier calls have left: compilers copy unused bytes of an object with the others.
+      return t_.variable(x86model::symbolic::numbered("left", address), 8);
+    }
     throw Obstacle(fmt::format("a read of uninitialised memory at {:x}h is not modelled", address));
   }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "x86model/symbolic/smt.hpp"
+
 namespace fixproof::judge {
 
 namespace {
@@ -74,21 +76,22 @@ Exact exact_mul_add(const cases::Format& format, Shape shape) {
                bits, format.fraction_bits, define_product(format, shape));
 }
 
-Exact exact_remainder(const cases::Format& format, RemainderBy by) {
-  const bool is_signed = by == RemainderBy::idiv_64 || by == RemainderBy::idiv_32;
-  const bool is_wide = by == RemainderBy::idiv_64 || by == RemainderBy::div_64;
+Exact exact_remainder(const cases::Format& format, const x86model::symbolic::Terms& terms,
+                      const std::optional<MachineDivide>& divide) {
+  constexpr int bits = 70;  // more than a register, and a sign
   const int word = format.word_bits;
-  const int width = is_wide ? 64 : 32;
-  const int bits = word + 2;
-  const std::string a = extended("a", word, 64, format.is_signed);
-  const std::string b = extended("b", word, width, format.is_signed);
-  const char* const name = is_wide     ? is_signed ? "srest64" : "urest64"
-                           : is_signed ? "srem32"
-                                       : "urem32";
-  const std::string rest = fmt::format("((_ extract {} 0) ({} {} {}))", word - 1, name, a, b);
+  if (!divide)
+    return exact(number(0, bits), bits, 0, "(define-fun is-of-operands () Bool false)\n");
+  const auto wide = [&](x86model::symbolic::Term term) {
+    return extended(x86model::symbolic::name_in_smt(terms, term).c_str(), terms.width(term), bits,
+                    divide->is_signed);
+  };
   return exact(fmt::format("(ite (= b {}) {} {})", number(0, word), number(0, bits),
-                           extended(rest.c_str(), word, bits, format.is_signed)),
-               bits);
+                           wide(divide->remainder)),
+               bits, 0,
+               fmt::format("(define-fun is-of-operands () Bool (and (= {} {}) (= {} {})))\n",
+                           wide(divide->dividend), extended("a", word, bits, format.is_signed),
+                           wide(divide->divisor), extended("b", word, bits, format.is_signed)));
 }
 
 }  // namespace fixproof::judge

@@ -2,7 +2,9 @@
 /// The exact results of the type's operations on a, b and c in SMT-LIB, from docs/formats.md.
 #pragma once
 
-#include "judge/code/claim.hpp"
+#include <optional>
+
+#include "judge/code/quotient_claim.hpp"
 
 namespace fixproof::judge {
 
@@ -15,9 +17,9 @@ Exact exact_conversion(const cases::Format& from, const cases::Format& to);
 /// a * b + c. @pre as exact_product()
 Exact exact_mul_add(const cases::Format& format, Shape shape);
 
-/// How a processor takes a remainder of numbers that it extends.
-enum class RemainderBy { idiv_64, div_64, idiv_32, div_32 };
-/// The remainder of a / b, with the sign of a; 0 if b is 0.
-Exact exact_remainder(const cases::Format& format, RemainderBy by);
+/// a % b by a divide of the function, with the sign of a; 0 if b is 0. Also defines
+/// `is-of-operands`, whether the divide is that of a and b. Without a divide, b can only be 0.
+Exact exact_remainder(const cases::Format& format, const x86model::symbolic::Terms& terms,
+                      const std::optional<MachineDivide>& divide);
 
 }  // namespace fixproof::judge

@@ -66,7 +66,7 @@ class Goals {
     add("-", type, 2, "x - y", rounded(exact_sum(format, "bvsub"), rules));
     add("negation", type, 1, "-x", rounded(exact_negative(format), rules));
     add("abs", type, 1, "abs(x)", rounded(exact_magnitude(format), rules));
-    add("%", type, 2, "x % y", remainders(format, type.rules(Operation::div)));
+    add("%", type, 2, "x % y", remainders(type));
     for (const bool is_right : {false, true}) {
       Goal& goal = add(is_right ? ">>" : "<<", type, 1, is_right ? "x >> b" : "x << b",
                        rounded(exact_shift(format, is_right), rules));

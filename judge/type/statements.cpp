@@ -52,15 +52,13 @@ Statements products(const Format& format, const Rules& rules,
 namespace {
 
 /// The divide of the operands themselves.
-MachineDivide own_divide(x86model::symbolic::Terms& t, const NumberType& type) {
+/// @param places that the dividend is shifted by
+MachineDivide own_divide(x86model::symbolic::Terms& t, const NumberType& type, int places) {
   constexpr int bits = 64;
   const Format& format = type.format;
   const auto extended = [&](std::size_t operand) {
     const auto word = t.variable(operand_name(operand), format.word_bits);
     return format.is_signed ? t.sign_extend(word, bits) : t.zero_extend(word, bits);
-  };
-  const auto shifted_left = [&](x86model::symbolic::Term term, int places) {
-    return places == 0 ? term : t.concat(t.extract(term, 0, bits - places), t.constant(0, places));
   };
   auto dividend = extended(0);
   auto divisor = extended(1);
@@ -72,8 +70,8 @@ MachineDivide own_divide(x86model::symbolic::Terms& t, const NumberType& type) {
       return t.zero_extend(t.extract(size, f, bits - f), bits);
     };
     divisor = t.ite(is_negative, t.sub(zero, whole(t.sub(zero, divisor))), whole(divisor));
-  } else {
-    dividend = shifted_left(dividend, format.fraction_bits);
+  } else if (places > 0) {
+    dividend = t.concat(t.extract(dividend, 0, bits - places), t.constant(0, places));
   }
   const auto apply = [&](const char* name) { return t.apply(name, {dividend, divisor}, bits); };
   return {.dividend = dividend,
@@ -93,29 +91,37 @@ Statements quotients(const NumberType& type) {
     };
   };
   const auto own = [type](x86model::symbolic::Terms& terms, const Path& /*path*/) {
-    return std::optional(own_divide(terms, type));
+    return std::optional(own_divide(terms, type, type.format.fraction_bits));
   };
   return {{statement(divide_of, false), statement(divide_of, true)}, statement(own, false)};
 }
 
-Statements remainders(const Format& format, const Rules& rules) {
-  std::vector<Statements> all;
-  for (const RemainderBy by :
-       {RemainderBy::idiv_64, RemainderBy::div_64, RemainderBy::idiv_32, RemainderBy::div_32}) {
-    const bool is_signed = by == RemainderBy::idiv_64 || by == RemainderBy::idiv_32;
-    const bool is_wide = by == RemainderBy::idiv_64 || by == RemainderBy::div_64;
-    const int room = (is_wide ? 64 : 32) - format.word_bits;
-    if (room < 0 || is_signed != format.is_signed) continue;
-    Claim claim = rounded_claim(exact_remainder(format, by), rules);
-    // A zero divisor is an error, or has the remainder 0.
-    const bool refuses = rules.no_result == check::NoResult::error;
-    const std::string zero = fmt::format("(= b (_ bv0 {}))", format.word_bits);
-    claim.may_trap = refuses ? zero : "false";
-    claim.may_fault = "false";
-    if (refuses) claim.is_right = fmt::format("(and (not {}) {})", zero, claim.is_right);
-    all.push_back(stated(claim));
-  }
-  return any_of(all);
+Statements remainders(const NumberType& type) {
+  if (type.format.word_bits > 32) return {};
+  Rules rules = type.rules(cases::Operation::div);
+  rules.overflow = check::Overflow::wrap;  // every remainder is in range
+  const auto statement = [&](auto divide_on) -> Statement {
+    return [=](x86model::symbolic::Terms& terms, const Path& path) {
+      const auto divide = divide_on(terms, path);
+      Claim claim = rounded_claim(exact_remainder(type.format, terms, divide), rules);
+      if (divide) {
+        claim.mentions = {divide->dividend, divide->divisor, divide->quotient, divide->remainder};
+      }
+      // A zero divisor is an error, or has the remainder 0.
+      const std::string zero = fmt::format("(= b (_ bv0 {}))", type.format.word_bits);
+      const bool refuses = rules.no_result == check::NoResult::error;
+      claim.may_trap = refuses ? zero : "false";
+      claim.may_fault = "false";
+      claim.is_right =
+          fmt::format("(ite {} (and {} (= {{0}} (_ bv0 {}))) (and is-of-operands {}))", zero,
+                      refuses ? "false" : "true", type.format.word_bits, claim.is_right);
+      return claim;
+    };
+  };
+  const auto own = [type](x86model::symbolic::Terms& terms, const Path& /*path*/) {
+    return std::optional(own_divide(terms, type, 0));
+  };
+  return {{statement(divide_of)}, statement(own)};
 }
 
 namespace {

@@ -31,8 +31,8 @@ Statements products(const cases::Format& format, const check::Rules& rules,
                     Exact (*exact)(const cases::Format&, Shape));
 /// a / b. No way for words of 64 bits.
 Statements quotients(const NumberType& type);
-/// a % b.
-Statements remainders(const cases::Format& format, const check::Rules& rules);
+/// a % b. No way for words of 64 bits.
+Statements remainders(const NumberType& type);
 
 /// What a function of fixed/checked.hpp returns of an operation.
 enum class Form {
