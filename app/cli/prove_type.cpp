@@ -269,7 +269,7 @@ void add_prove_type(CLI::App& prove, int& status) {
   auto options = std::make_shared<TypeOptions>();
   CLI::App* command = prove.add_subcommand(
       "type", "prove the type as compilers translate it for x86-64, for all operands");
-  command->add_option("--compiler", options->compilers, "compilers on the PATH")
+  command->add_option("--compiler", options->compilers, "compilers: names on the PATH, or paths")
       ->check(not_empty())
       ->capture_default_str();
   command->add_option("--level", options->levels, "levels of optimisation, such as --level=-O2")

@@ -76,7 +76,7 @@ class Execution {
     const int width = t.width(value);
     return t.sign_extend(t.extract(value, width - 1, 1), width);
   }
-  /// A value of which nothing is known, another one each time.
+  /// A new unknown value.
   [[nodiscard]] Term anything(int width) const;
   /// CF. @throws Obstacle if it is undefined
   [[nodiscard]] Term carry() const;

@@ -1,5 +1,5 @@
 /// @file
-/// The questions that a solver has answered, so that none is asked twice.
+/// Remembers what a solver has answered.
 #pragma once
 
 #include <cstddef>

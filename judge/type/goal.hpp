@@ -13,7 +13,7 @@
 namespace fixproof::judge {
 
 struct Goal {
-  std::string operation;  ///< such as `*`, `checked_add has`
+  std::string operation;  ///< such as `*`, or `checked_...` for all such forms
   std::string type;       ///< NumberType::name, and a second type of a conversion
   std::string format;     ///< of the operands
   std::string body;       ///< the function in C++, of operands a, b, c
@@ -22,7 +22,7 @@ struct Goal {
   Statements says{};
 };
 
-/// All goals, in the order of their operations. Each has its own symbol.
+/// All goals, format by format. Each has its own symbol.
 std::vector<Goal> goals();
 
 /// Returns a translation unit with a function for each goal.

@@ -95,7 +95,8 @@ class Prover {
       proof_.why = "the model of the instructions and Unicorn differ";
       return proof_;
     }
-    if (goal_.says.ways.empty()) proof_.why = "no statement without a division of 128 bits";
+    if (goal_.says.ways.empty())
+      proof_.why = "there is no statement about quotients of 64-bit words";
     for (const Statement& statement : goal_.says.ways) {
       if (is_final(statement, Arithmetic::abstract)) return proof_;
     }

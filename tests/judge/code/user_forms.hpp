@@ -14,7 +14,7 @@ namespace user_forms {
 /// What a processor may lack.
 enum class Feature { none, bmi1, bmi2, lzcnt, popcnt, adx };
 
-/// One instruction, or several of which the last is meant.
+/// An instruction; others may stand before it and prepare its operands.
 struct Form {
   std::string text;
   Feature feature = Feature::none;

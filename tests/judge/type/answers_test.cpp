@@ -1,6 +1,9 @@
 // Questions that need not be asked again, in memory and in a file.
 #include "judge/type/answers.hpp"
 
+#include <string>
+#include <vector>
+
 #include "support/file.hpp"
 #include "support/usage_error.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -47,36 +50,27 @@ TEST(TypeAnswers, OtherAnswersAreNotRemembered) {
   }
 }
 
+/// Asks z3 some questions, with the answers of a file, and returns how many it had to be asked.
+int asked_with(const std::string& file, const std::vector<std::string>& questions) {
+  Counter counter;
+  Answers answers(file, "z3");
+  for (const std::string& question : questions) answers(question, counter.ask());
+  answers.save();
+  return counter.asked;
+}
+
 TEST(TypeAnswers, AFileKeepsThem) {
   const ScratchFolder folder;
   const std::string file = folder.path("answers.txt");
-  Counter counter;
-  {
-    Answers answers(file, "z3");
-    answers("one", counter.ask());
-    answers.save();
-  }
-  {
-    Answers answers(file, "z3");
-    answers("one", counter.ask());
-    answers("two", counter.ask());
-    answers.save();
-  }
-  EXPECT_EQ(counter.asked, 2);
-  Answers answers(file, "z3");
-  answers("two", counter.ask());
-  EXPECT_EQ(counter.asked, 2);
+  EXPECT_EQ(asked_with(file, {"one"}), 1);
+  EXPECT_EQ(asked_with(file, {"one", "two"}), 1);
+  EXPECT_EQ(asked_with(file, {"two", "one"}), 0);
 }
 
 TEST(TypeAnswers, AFileOfAnotherKindOrSolverIsRefused) {
   const ScratchFolder folder;
   const std::string file = folder.path("answers.txt");
-  {
-    Counter counter;
-    Answers answers(file, "z3");
-    answers("one", counter.ask());
-    answers.save();
-  }
+  asked_with(file, {"one"});
   const auto refusal = [](const std::string& path, const std::string& asked) {
     try {
       const Answers answers(path, asked);
