@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "app/cli/commands.hpp"
@@ -79,6 +80,19 @@ judge::Image image_of(const JudgeOptions& options) {
   return judge::load(options.file, load);
 }
 
+/// @throws support::UsageError for what is there for x86 only
+void expect_x86(const JudgeOptions& options, const judge::Image& image) {
+  if (image.architecture == nullptr) return;
+  for (const auto& [is_given, name, instead] :
+       {std::tuple{options.list, "--list", "; the toolchain's objdump -d disassembles it"},
+        std::tuple{options.prove, "--prove", ""},
+        std::tuple{options.clocks, "--clocks", "; the number of instructions is always printed"}}) {
+    if (!is_given) continue;
+    throw support::UsageError(fmt::format("{} is for x86, and this is code for {}{}", name,
+                                          image.architecture->name, instead));
+  }
+}
+
 cases::Variant judged_variant(cases::Operation operation, const cases::Format& format) {
   cases::check_format(operation, format);
   if (is_whole(operation) && format != cases::q16_16) {
@@ -139,7 +153,7 @@ std::string rules_line(const check::Rules& rules, Rounding rounding) {
 
 judge::Subject subject_of(const JudgeOptions& options, const judge::Image& image,
                           const cases::Variant& variant) {
-  judge::Subject subject{image, judge::frame_named(options.frame, image.bits, variant), variant};
+  judge::Subject subject{image, judge::frame_for(image, options.frame, variant), variant};
   judge::expect_fit(subject.frame, variant, image.bits);
   return subject;
 }
@@ -164,7 +178,7 @@ cases::Operation ask_operation(const JudgeOptions& options, const judge::Image& 
     if (!cases::is_in_format(operation, format)) continue;
     judge::VerdictOptions trial;
     const cases::Variant variant = judged_variant(operation, format);
-    judge::Subject subject{image, judge::frame_named(options.frame, image.bits, variant), variant};
+    judge::Subject subject{image, judge::frame_for(image, options.frame, variant), variant};
     try {
       judge::expect_fit(subject.frame, subject.variant, image.bits);
     } catch (const support::UsageError&) {
@@ -215,7 +229,11 @@ bool print_inspection(const judge::Subject& subject) {
     return true;
   }
   const judge::Inspection inspection = judge::inspect(subject);
-  std::cout << '\n' << inspection_text(inspection);
+  std::cout << '\n' << inspection_text(inspection, subject.image.architecture == nullptr);
+  // Code for older processors has a table of clocks, which counts instructions, too.
+  if (subject.image.bits == 64 || subject.image.architecture != nullptr) {
+    std::cout << instructions_text(inspection);
+  }
   return inspection.is_clean();
 }
 
@@ -249,7 +267,7 @@ bool fails_widely(const judge::Verdict& verdict) {
 /// Returns the exit status. If the routine fails, it may be code that the machine misreads.
 int status_of(bool right, const judge::Image& image, const judge::Verdict& verdict) {
   if (right) return 0;
-  if (image.bits < 64 && judge::looks_like_64_bits(image)) {
+  if (image.architecture == nullptr && image.bits < 64 && judge::looks_like_64_bits(image)) {
     std::cout << fmt::format(
         "\nThe code looks like 64-bit code, and ran as {}-bit code: add --bits 64.\n", image.bits);
   } else if (image.has_assumed_bits && fails_widely(verdict)) {
@@ -282,6 +300,7 @@ int judge_file(const JudgeOptions& given, const CLI::App& command) {
   }
   const JudgeOptions options = with_symbol(given);
   const judge::Image image = image_of(options);
+  expect_x86(options, image);
   if (options.list) {
     std::cout << judge::source_of(image);
     return 0;

@@ -57,14 +57,15 @@ std::string unsteady_text(const judge::Verdict& verdict) {
 }
 
 /// Returns what a call breaks, such as "does not keep si and leaves the direction flag set".
-std::string broken_text(unsigned broken, int bits) {
+std::string broken_text(judge::RegisterMask broken, const judge::Image& image) {
   using judge::Call;
   std::string text;
   const auto add = [&text](const std::string& what) {
     text += (text.empty() ? "" : " and ") + what;
   };
-  const unsigned registers = broken & ((1U << judge::register_count) - 1);
-  if (registers != 0) add("does not keep " + register_names(registers, bits));
+  const judge::RegisterMask registers =
+      broken & ((judge::RegisterMask{1} << registers_of(image)) - 1);
+  if (registers != 0) add("does not keep " + register_names(registers, image));
   if ((broken & Call::sets_direction) != 0) add("leaves the direction flag set");
   if ((broken & Call::fills_x87) != 0) add("leaves values on the x87 stack");
   if ((broken & Call::controls_x87) != 0) add("changes the control word of the x87");
@@ -74,11 +75,11 @@ std::string broken_text(unsigned broken, int bits) {
 
 }  // namespace
 
-std::string register_names(unsigned mask, int bits) {
+std::string register_names(judge::RegisterMask mask, const judge::Image& image) {
   std::string text;
-  for (std::size_t r = 0; r < judge::register_count; ++r) {
+  for (std::size_t r = 0; r < registers_of(image); ++r) {
     if ((mask >> r & 1U) == 0) continue;
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", name_of(judge::whole_register(r, bits)));
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", register_name(image, r));
   }
   return text.empty() ? "none" : text;
 }
@@ -108,6 +109,8 @@ std::string text_of(const judge::Ending& ending, const judge::Image& image) {
       if (ending.number == 13) return "raises a general protection fault (#GP) " + at;
       return fmt::format("calls interrupt {:02x}h {}: routines run without a system", ending.number,
                          at);
+    case judge::End::exception:
+      return fmt::format("raises exception {} of the processor {}", ending.number, at);
     case judge::End::system_call:
       return fmt::format("makes a system call {}: routines run without a system", at);
     case judge::End::port:
@@ -126,30 +129,31 @@ std::string text_of(const judge::Ending& ending, const judge::Image& image) {
 
 std::string heading_text(const judge::Subject& subject, const std::string& file,
                          const std::string& rules) {
-  return fmt::format("{}: {}, routine at {:04x}h, {}-bit code, frame {}\n{}\n",
-                     support::printable(file), subject.image.container, subject.image.entry,
-                     subject.image.bits, subject.frame.text, rules);
+  const judge::Image& image = subject.image;
+  const std::string code = image.architecture != nullptr
+                               ? fmt::format("{} code", image.architecture->name)
+                               : fmt::format("{}-bit code", image.bits);
+  return fmt::format("{}: {}, routine at {:04x}h, {}, frame {}\n{}\n", support::printable(file),
+                     image.container, image.entry, code, subject.frame.text, rules);
 }
 
 std::string calls_text(const judge::Subject& subject, const judge::Verdict& verdict) {
-  const int bits = subject.image.bits;
+  const judge::Image& image = subject.image;
   std::string text = machine_text(verdict);
   if (verdict.stuck) {
     return text + fmt::format("BROKEN: for {} the routine {}\n", verdict.stuck->operands,
                               text_of(verdict.stuck->ending, subject.image));
   }
-  text += fmt::format("changes registers {}", register_names(verdict.changed, bits));
-  if (!subject.frame.kept.empty()) {
-    unsigned kept = 0;
-    for (const auto& name : subject.frame.kept) kept |= 1U << name.holder();
-    text += fmt::format("; must keep {}", register_names(kept, bits));
-  }
+  text += fmt::format("changes registers {}", register_names(verdict.changed, image));
+  judge::RegisterMask kept = subject.frame.elsewhere ? subject.frame.elsewhere->kept : 0;
+  for (const auto& name : subject.frame.kept) kept |= judge::RegisterMask{1} << name.holder();
+  if (kept != 0) text += fmt::format("; must keep {}", register_names(kept, image));
   text += '\n';
   if (verdict.not_preserved) {
     text += fmt::format("BREAKS its convention in {} {}: it {}, first for {}\n",
                         support::grouped(verdict.not_preserved_count),
                         verdict.not_preserved_count == 1 ? "case" : "cases",
-                        broken_text(verdict.not_preserved->broken, bits),
+                        broken_text(verdict.not_preserved->broken, image),
                         verdict.not_preserved->operands);
   }
   if (verdict.unsteady) text += unsteady_text(verdict);
@@ -198,11 +202,20 @@ std::string whole_text(const judge::Subject& subject, const judge::WholeVerdict&
                             best.first_exception->operands);
 }
 
-std::string inspection_text(const judge::Inspection& inspection) {
+std::string instructions_text(const judge::Inspection& inspection) {
+  if (inspection.calls == 0) return {};
+  return fmt::format("instructions of a call: {} to {}, on average {:.1f}\n",
+                     support::grouped(inspection.least_instructions),
+                     support::grouped(inspection.most_instructions),
+                     static_cast<double>(inspection.instructions) /
+                         static_cast<double>(inspection.calls));
+}
+
+std::string inspection_text(const judge::Inspection& inspection, bool is_x86) {
   std::string text = fmt::format("{} calls step by step on Unicorn:", inspection.calls);
   if (inspection.is_clean()) {
-    return text +
-           " no undefined flag is read, no foreign memory is used, no instruction is changed\n";
+    return text + fmt::format(" {}no foreign memory is used, no instruction is changed\n",
+                              is_x86 ? "no undefined flag is read, " : "");
   }
   text += '\n';
   const auto place = [](const judge::Inspection::Finding& f) {

@@ -25,7 +25,10 @@ std::string verdict_text(const judge::Subject& subject, const judge::Verdict& ve
 std::string whole_text(const judge::Subject& subject, const judge::WholeVerdict& whole);
 
 /// Returns what the step-by-step calls show.
-std::string inspection_text(const judge::Inspection& inspection);
+/// @param is_x86 whether what flags instructions read was looked at
+std::string inspection_text(const judge::Inspection& inspection, bool is_x86);
+/// Returns the least, the most and the mean number of instructions, as a line.
+std::string instructions_text(const judge::Inspection& inspection);
 
 /// Returns the clocks of each processor, or the instructions without a figure.
 std::string clocks_text(const judge::RoutineClocks& clocks);
@@ -38,6 +41,6 @@ std::string proof_text(const judge::RoutineProof& proof, const check::Rules& rul
 std::string text_of(const judge::Ending& ending, const judge::Image& image);
 
 /// Returns the names of the registers in a mask, such as `bx, si`.
-std::string register_names(unsigned mask, int bits);
+std::string register_names(judge::RegisterMask mask, const judge::Image& image);
 
 }  // namespace fixproof::cli

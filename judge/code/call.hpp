@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <span>
 
+#include "judge/code/bytes.hpp"
 #include "judge/code/frame.hpp"
 #include "judge/code/image.hpp"
+#include "judge/code/call_operands.hpp"
 #include "verify/cases/draw.hpp"
 #include "verify/machine_code/x87.hpp"
 #include "x86model/flags.hpp"
@@ -20,8 +22,14 @@ inline constexpr std::uint32_t observed_flags = x86model::arithmetic_flags | dir
 /// What a callee of Windows may use above its return address, in bytes.
 inline constexpr std::uint32_t bytes_of_home = 32;
 
+/// Bit r is for the register of number r: in the order of encoding, or of the processor's file.
+using RegisterMask = std::uint64_t;
+
+/// No processor has more general registers.
+inline constexpr std::size_t most_registers = 33;
+
 struct Registers {
-  std::array<std::uint64_t, register_count> general{};  ///< in the order of encoding
+  std::array<std::uint64_t, most_registers> general{};  ///< in the order of RegisterMask
   std::uint32_t flags = 0;                              ///< of observed_flags
   machine_code::X87 x87{};                              ///< only after a call
   /// Only after a call: whether DS and SS are those of the image.
@@ -40,6 +48,7 @@ enum class End : std::uint8_t {
   interrupt,        ///< INT n
   system_call,      ///< SYSCALL or SYSENTER
   port,             ///< IN or OUT
+  exception,        ///< any other exception of a processor that is not x86
   halted,           ///< HLT
   endless,          ///< no return within the machine's limit of steps or time
   fault,            ///< any other fault on the host processor
@@ -48,7 +57,7 @@ enum class End : std::uint8_t {
 /// How a call ended, and where.
 struct Ending {
   End end = End::returned;
-  std::uint8_t number = 0;    ///< the interrupt's
+  std::uint8_t number = 0;    ///< of the interrupt or exception
   std::uint32_t at = 0;       ///< the instruction's offset in its segment; 0 on the host processor
   std::uint64_t address = 0;  ///< what bad_address accessed; linear
 };
@@ -69,23 +78,22 @@ class Call {
   void leave(const std::uint8_t* memory, const Registers& registers,
              std::span<std::uint32_t> words) const;
   /// Bits of broken(). Every convention forbids what they say.
-  static constexpr unsigned sets_direction = 1U << 16U;  ///< DF is set
-  static constexpr unsigned fills_x87 = 1U << 17U;       ///< the x87 stack is not empty
-  static constexpr unsigned controls_x87 = 1U << 18U;    ///< the x87 has another control word
-  static constexpr unsigned moves_segments = 1U << 19U;  ///< DS or SS is another one
+  static constexpr RegisterMask sets_direction = RegisterMask{1} << 60U;  ///< DF is set
+  /// The x87 stack is not empty.
+  static constexpr RegisterMask fills_x87 = RegisterMask{1} << 61U;
+  /// The x87 has another control word.
+  static constexpr RegisterMask controls_x87 = RegisterMask{1} << 62U;
+  /// DS or SS is another one.
+  static constexpr RegisterMask moves_segments = RegisterMask{1} << 63U;
   /// Returns the registers that the call should have preserved and did not, with bit r for register
   /// r in the order of encoding, and the bits above. Bit 4 is set if the stack pointer is not what
   /// the convention says.
-  [[nodiscard]] unsigned broken(const Registers& left) const;
+  [[nodiscard]] RegisterMask broken(const Registers& left) const;
   /// Returns all registers that the call changed, except the stack pointer.
-  [[nodiscard]] unsigned changed(const Registers& left) const;
+  [[nodiscard]] RegisterMask changed(const Registers& left) const;
 
  private:
-  /// Puts operands behind their pointers, and noise where the results will be.
-  void put_operands(std::uint8_t* memory, std::span<const std::uint32_t> words,
-                    cases::Draw& draw) const;
   void load_registers(Registers& registers, std::span<const std::uint32_t> words) const;
-  void take_results(const std::uint8_t* memory, std::span<std::uint32_t> words) const;
   /// Returns the number of words that a parameter takes on the stack.
   [[nodiscard]] int slots_of(const Parameter& p) const;
   void push(std::uint8_t* memory, std::uint64_t value, int bytes);
@@ -95,10 +103,8 @@ class Call {
   const Image& image_;
   const Frame& frame_;
   cases::Variant variant_;
-  std::vector<Parameter> parameters_;
-  std::vector<Place> results_;               ///< of those in registers
-  std::vector<std::size_t> first_word_;      ///< of each parameter, in the operands
-  std::vector<std::uint32_t> data_offsets_;  ///< of each parameter: where its pointer points to
+  CallOperands operands_;
+  std::vector<Place> results_;  ///< of those in registers
   std::uint16_t code_selector_;
   int slot_;                  ///< size of a pushed word in bytes
   std::uint32_t bottom_ = 0;  ///< offset of the top of the stack before the parameters
@@ -106,9 +112,5 @@ class Call {
   std::uint32_t popped_ = 0;  ///< SP after the return
   Registers entered_;
 };
-
-/// Writes a little-endian number of at most 8 bytes, or reads one of at most 4.
-void store(std::uint8_t* to, std::uint64_t value, int bytes);
-std::uint32_t fetch(const std::uint8_t* from, int bytes);
 
 }  // namespace fixproof::judge

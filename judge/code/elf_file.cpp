@@ -2,7 +2,10 @@
 
 #include <elf.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <type_traits>
 #include <utility>
 
 #include "support/plain_text.hpp"
@@ -36,9 +39,43 @@ Symbol symbol_of(const Theirs& s) {
 
 }  // namespace
 
+template <class... Field>
+void reverse(Field&... fields) {
+  const auto reverse_one = [](auto& field) {
+    auto bytes = std::bit_cast<std::array<std::uint8_t, sizeof field>>(field);
+    std::ranges::reverse(bytes);
+    field = std::bit_cast<std::remove_reference_t<decltype(field)>>(bytes);
+  };
+  (reverse_one(fields), ...);
+}
+
+// Only the fields that are read.
+template <class T>
+void reverse_fields(T& s) {
+  if constexpr (std::is_same_v<T, Elf32_Ehdr> || std::is_same_v<T, Elf64_Ehdr>) {
+    reverse(s.e_type, s.e_phoff, s.e_phnum, s.e_phentsize, s.e_shoff, s.e_shnum, s.e_shentsize);
+  } else if constexpr (std::is_same_v<T, Elf32_Shdr> || std::is_same_v<T, Elf64_Shdr>) {
+    reverse(s.sh_type, s.sh_link, s.sh_info, s.sh_flags, s.sh_offset, s.sh_size, s.sh_addralign);
+  } else if constexpr (std::is_same_v<T, Elf32_Phdr> || std::is_same_v<T, Elf64_Phdr>) {
+    reverse(s.p_type, s.p_flags, s.p_offset, s.p_vaddr, s.p_filesz, s.p_memsz);
+  } else if constexpr (std::is_same_v<T, Elf32_Sym> || std::is_same_v<T, Elf64_Sym>) {
+    reverse(s.st_name, s.st_shndx, s.st_value, s.st_size);
+  } else if constexpr (std::is_same_v<T, Elf32_Rel> || std::is_same_v<T, Elf64_Rel>) {
+    reverse(s.r_offset, s.r_info);
+  } else if constexpr (std::is_same_v<T, Elf32_Rela> || std::is_same_v<T, Elf64_Rela>) {
+    reverse(s.r_offset, s.r_info, s.r_addend);
+  } else {
+    static_assert(sizeof(T) == 1);
+  }
+}
+
 UsageError damaged() { return UsageError{"the ELF file is damaged"}; }
 
-File::File(const std::string& bytes, bool is_64) : bytes_(bytes), is_64_(is_64) {
+File::File(const std::string& bytes, bool is_64, bool is_big_endian, bool others_processor)
+    : bytes_(bytes),
+      is_64_(is_64),
+      is_big_endian_(is_big_endian),
+      others_processor_(others_processor) {
   if (is_64) {
     read_header<Elf64_Ehdr>();
   } else {
@@ -95,10 +132,13 @@ Symbol File::symbol_at(const Section& table, std::uint64_t number) const {
                 : symbol_of(at<Elf32_Sym>(table.offset + number * sizeof(Elf32_Sym)));
 }
 
-std::uint32_t File::list_type() const { return is_64_ ? SHT_RELA : SHT_REL; }
+bool File::is_list(const Section& section) const {
+  if (others_processor_) return section.type == SHT_REL || section.type == SHT_RELA;
+  return section.type == (is_64_ ? SHT_RELA : SHT_REL);
+}
 
 bool File::is_unused_list(const Section& section) const {
-  return section.type == (is_64_ ? SHT_REL : SHT_RELA);
+  return !others_processor_ && section.type == (is_64_ ? SHT_REL : SHT_RELA);
 }
 
 UsageError File::unused_list() const {
@@ -109,17 +149,34 @@ UsageError File::unused_list() const {
 }
 
 std::uint64_t File::relocations_in(const Section& list) const {
-  return list.size / (is_64_ ? sizeof(Elf64_Rela) : sizeof(Elf32_Rel));
+  if (list.type == SHT_RELA) return list.size / (is_64_ ? sizeof(Elf64_Rela) : sizeof(Elf32_Rela));
+  return list.size / (is_64_ ? sizeof(Elf64_Rel) : sizeof(Elf32_Rel));
 }
 
-Relocation File::relocation_at(const Section& list, std::uint64_t number) const {
-  if (!is_64_) {
-    const auto one = at<Elf32_Rel>(list.offset + number * sizeof(Elf32_Rel));
-    return {ELF32_R_TYPE(one.r_info), ELF32_R_SYM(one.r_info), one.r_offset};
+namespace {
+
+template <class Theirs>
+Relocation relocation_of(const Theirs& one) {
+  Relocation relocation{.offset = one.r_offset};
+  if constexpr (sizeof one.r_info == 8) {
+    relocation.type = static_cast<std::uint32_t>(ELF64_R_TYPE(one.r_info));
+    relocation.symbol = static_cast<std::uint32_t>(ELF64_R_SYM(one.r_info));
+  } else {
+    relocation.type = ELF32_R_TYPE(one.r_info);
+    relocation.symbol = ELF32_R_SYM(one.r_info);
   }
-  const auto one = at<Elf64_Rela>(list.offset + number * sizeof(Elf64_Rela));
-  return {static_cast<std::uint32_t>(ELF64_R_TYPE(one.r_info)),
-          static_cast<std::uint32_t>(ELF64_R_SYM(one.r_info)), one.r_offset, one.r_addend};
+  if constexpr (requires { one.r_addend; }) relocation.addend = one.r_addend;
+  return relocation;
+}
+
+}  // namespace
+
+Relocation File::relocation_at(const Section& list, std::uint64_t number) const {
+  const auto read = [&]<class Theirs>(Theirs /*type*/) {
+    return relocation_of(at<Theirs>(list.offset + number * sizeof(Theirs)));
+  };
+  if (list.type == SHT_RELA) return is_64_ ? read(Elf64_Rela{}) : read(Elf32_Rela{});
+  return is_64_ ? read(Elf64_Rel{}) : read(Elf32_Rel{});
 }
 
 std::string File::name_of(const Section& table, const Symbol& symbol) {
@@ -140,7 +197,7 @@ void File::expect_sound_tables() const {
   for (const Section& table : sections_) {
     const bool is_table = table.type == SHT_SYMTAB || table.type == SHT_DYNSYM;
     if (is_table && ++tables[table.type] > 1) throw damaged();
-    if (table.type != list_type()) continue;
+    if (!is_list(table)) continue;
     if (table.size > bytes_.size()) throw damaged();
     relocation_bytes += table.size;
   }

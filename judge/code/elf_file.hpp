@@ -58,11 +58,17 @@ struct Relocation {
 /// The file is damaged.
 support::UsageError damaged();
 
+/// Turns a structure of ELF from the other order of bytes to this processor's.
+template <class T>
+void reverse_fields(T& structure);
+
 /// The tables of a file, of both classes. Each access is checked.
 class File {
  public:
   /// @throws support::UsageError also in all other functions, if the file is damaged
-  File(const std::string& bytes, bool is_64);
+  /// @param others_processor whether it is for a processor other than x86
+  File(const std::string& bytes, bool is_64, bool is_big_endian = false,
+       bool others_processor = false);
 
   /// ET_REL, ET_EXEC, ET_DYN or another.
   [[nodiscard]] unsigned kind() const { return kind_; }
@@ -78,8 +84,8 @@ class File {
 
   [[nodiscard]] std::uint64_t symbols_in(const Section& table) const;
   [[nodiscard]] Symbol symbol_at(const Section& table, std::uint64_t number) const;
-  /// The type of the sections of relocations that code of this width uses.
-  [[nodiscard]] std::uint32_t list_type() const;
+  /// Tells whether a section has relocations of the type that the processor uses.
+  [[nodiscard]] bool is_list(const Section& section) const;
   [[nodiscard]] bool is_unused_list(const Section& section) const;
   [[nodiscard]] support::UsageError unused_list() const;
   [[nodiscard]] std::uint64_t relocations_in(const Section& list) const;
@@ -96,6 +102,7 @@ class File {
     T value{};
     if (offset > bytes_.size() || bytes_.size() - offset < sizeof value) throw damaged();
     std::memcpy(&value, bytes_.data() + offset, sizeof value);
+    if (is_big_endian_) reverse_fields(value);
     return value;
   }
   template <class Header>
@@ -105,6 +112,8 @@ class File {
 
   const std::string& bytes_;
   bool is_64_;
+  bool is_big_endian_;
+  bool others_processor_;
   unsigned kind_ = 0;
   std::uint64_t first_segment_ = 0;  ///< offset of the program headers
   unsigned segments_ = 0;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "judge/code/machine.hpp"
+#include "judge/code/unicorn_engine.hpp"
 
 namespace fixproof::judge {
 
@@ -33,37 +34,17 @@ uc_mode mode_of(int bits) { return bits == 16 ? UC_MODE_16 : bits == 32 ? UC_MOD
 /// A call that executes more basic blocks than this counts as endless; a traced call, more steps.
 constexpr std::uint64_t max_blocks = 2'000'000;
 constexpr std::size_t max_emulated_steps = 100'000;
-constexpr std::size_t page = 0x1000;
-
-void check(uc_err error, const char* what) {
-  if (error == UC_ERR_OK) return;
-  throw EmulatorError(fmt::format("Unicorn: {}: {}", what, uc_strerror(error)));
-}
-
-/// Unicorn takes hooks as void*, and only a reinterpret_cast converts a function pointer to one.
-template <class Function>
-void* hook_of(Function* function) {
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): see above
-  return reinterpret_cast<void*>(function);
-}
-
-struct Free {
-  // NOLINTNEXTLINE(*-no-malloc,*-owning-memory): the memory is std::aligned_alloc()'s
-  void operator()(std::uint8_t* memory) const { std::free(memory); }
-};
 
 class Emulator final : public Machine {
  public:
   Emulator(const Image& image, Trace* trace)
       : image_(image),
         trace_(trace),
-        bytes_((image.memory.size() + page - 1) / page * page),
-        memory_(static_cast<std::uint8_t*>(std::aligned_alloc(page, bytes_))) {
-    if (!memory_) throw std::bad_alloc();
-    std::copy(image.memory.begin(), image.memory.end(), memory_.get());
-    memory_.get()[image.index_of(image.code_at(image.exit))] = 0x90;  // NOP, for the hook
-    check(uc_open(UC_ARCH_X86, mode_of(image.bits), &engine_), "open");
-    check(uc_mem_map_ptr(engine_, image.base, bytes_, UC_PROT_ALL, memory_.get()), "memory");
+        memory_(image),
+        engine_(UC_ARCH_X86, mode_of(image.bits)) {
+    memory()[image.index_of(image.code_at(image.exit))] = 0x90;  // NOP, for the hook
+    check(uc_mem_map_ptr(engine_.get(), image.base, memory_.size(), UC_PROT_ALL, memory()),
+          "memory");
     if (image.bits == 16) {
       write(UC_X86_REG_CS, image.code_segment);
       for (const int r : {UC_X86_REG_DS, UC_X86_REG_ES, UC_X86_REG_SS}) {
@@ -75,16 +56,11 @@ class Emulator final : public Machine {
       write(UC_X86_REG_FS_BASE, image.data_at(image.stack_top - stack_bytes));
     }
     initialize_floating_point();
-    check(uc_context_alloc(engine_, &fresh_), "context");
-    check(uc_context_save(engine_, fresh_), "context");
+    engine_.keep_state();
     add_hooks();
   }
-  ~Emulator() override {
-    if (fresh_ != nullptr) uc_context_free(fresh_);
-    if (engine_ != nullptr) uc_close(engine_);
-  }
 
-  [[nodiscard]] std::uint8_t* memory() const override { return memory_.get(); }
+  [[nodiscard]] std::uint8_t* memory() const override { return memory_.bytes(); }
   [[nodiscard]] std::uint16_t code_selector() const override { return image_.code_segment; }
 
   Ending call(Registers& registers) override {
@@ -92,14 +68,14 @@ class Emulator final : public Machine {
     blocks_ = 0;
     write_registers(registers);
     const uc_err error =
-        uc_emu_start(engine_, image_.code_at(image_.entry), ~std::uint64_t{0}, 0, 0);
+        uc_emu_start(engine_.get(), image_.code_at(image_.entry), ~std::uint64_t{0}, 0, 0);
     registers = read_registers();
     registers.x87 = {read_word(UC_X86_REG_FPCW), read_word(UC_X86_REG_FPTAG)};
     registers.has_own_segments =
         image_.bits > 16 || (read_word(UC_X86_REG_DS) == image_.data_segment &&
                              read_word(UC_X86_REG_SS) == image_.data_segment);
     std::uint64_t at = 0;
-    check(uc_reg_read(engine_,
+    check(uc_reg_read(engine_.get(),
                       image_.bits == 16   ? UC_X86_REG_IP
                       : image_.bits == 32 ? UC_X86_REG_EIP
                                           : UC_X86_REG_RIP,
@@ -107,7 +83,7 @@ class Emulator final : public Machine {
           "registers");
     // Every call starts with the same segments and floating point, and without the exception that
     // ended the last one.
-    check(uc_context_restore(engine_, fresh_), "context");
+    engine_.restore_state();
     if (ending_.end == End::returned) return ending_;
     if (error != UC_ERR_OK && ending_.end == End::halted) {
       ending_.end = is_at_sysenter() ? End::system_call : end_after(error);
@@ -152,16 +128,16 @@ class Emulator final : public Machine {
   [[nodiscard]] bool is_at_sysenter() const {
     if (trace_ == nullptr || trace_->steps.empty()) return false;
     const std::uint32_t at = image_.index_of(image_.code_at(trace_->steps.back().at));
-    return at <= bytes_ - 2 && fetch(memory_.get() + at, 2) == 0x340F;
+    return at <= memory_.size() - 2 && fetch(memory() + at, 2) == 0x340F;
   }
 
   void write(int number, std::uint64_t value) {
-    check(uc_reg_write(engine_, number, &value), "registers");
+    check(uc_reg_write(engine_.get(), number, &value), "registers");
   }
 
   std::uint16_t read_word(int number) {
     std::uint16_t value = 0;
-    check(uc_reg_read(engine_, number, &value), "registers");
+    check(uc_reg_read(engine_.get(), number, &value), "registers");
     return value;
   }
 
@@ -194,7 +170,7 @@ class Emulator final : public Machine {
   Registers read_registers() {
     Values read;
     list(read);
-    check(uc_reg_read_batch(engine_, read.numbers.data(), read.places.data(), read.count),
+    check(uc_reg_read_batch(engine_.get(), read.numbers.data(), read.places.data(), read.count),
           "registers");
     Registers registers;
     registers.flags = static_cast<std::uint32_t>(read.values.front()) & observed_flags;
@@ -207,20 +183,13 @@ class Emulator final : public Machine {
     list(written);
     written.values.front() = 2U | registers.flags;  // bit 1 is always set
     std::copy(registers.general.begin(), registers.general.end(), written.values.begin() + 1);
-    check(uc_reg_write_batch(engine_, written.numbers.data(), written.places.data(), written.count),
+    check(uc_reg_write_batch(engine_.get(), written.numbers.data(), written.places.data(), written.count),
           "registers");
   }
 
   void stop(End end) {
     ending_.end = end;
-    uc_emu_stop(engine_);
-  }
-
-  template <class Function, class... More>
-  void add(int kind, Function* function, std::uint64_t first, std::uint64_t last, More... more) {
-    uc_hook hook = 0;
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the only function there is
-    check(uc_hook_add(engine_, &hook, kind, hook_of(function), this, first, last, more...), "hook");
+    uc_emu_stop(engine_.get());
   }
 
   static Emulator& self(void* data) { return *static_cast<Emulator*>(data); }
@@ -231,40 +200,40 @@ class Emulator final : public Machine {
     Code* const at_exit = [](uc_engine*, std::uint64_t, std::uint32_t, void* data) {
       self(data).stop(End::returned);
     };
-    add(UC_HOOK_CODE, at_exit, exit, exit);
+    engine_.hook(UC_HOOK_CODE, at_exit, this, exit, exit);
     Code* const at_block = [](uc_engine*, std::uint64_t, std::uint32_t, void* data) {
       if (++self(data).blocks_ > max_blocks) self(data).stop(End::endless);
     };
-    add(UC_HOOK_BLOCK, at_block, 1, 0);
+    engine_.hook(UC_HOOK_BLOCK, at_block, this, 1, 0);
     using Interrupt = void(uc_engine*, std::uint32_t, void*);
     Interrupt* const at_interrupt = [](uc_engine*, std::uint32_t number, void* data) {
       self(data).ending_.number = static_cast<std::uint8_t>(number);
       self(data).stop(self(data).end_after_interrupt(number));
     };
-    add(UC_HOOK_INTR, at_interrupt, 1, 0);
+    engine_.hook(UC_HOOK_INTR, at_interrupt, this, 1, 0);
     using Invalid = bool(uc_engine*, uc_mem_type, std::uint64_t, int, std::int64_t, void*);
     Invalid* const at_invalid = [](uc_engine*, uc_mem_type, std::uint64_t address, int,
                                    std::int64_t, void* data) {
       self(data).ending_.address = address;
       return false;
     };
-    add(UC_HOOK_MEM_INVALID, at_invalid, 1, 0);
+    engine_.hook(UC_HOOK_MEM_INVALID, at_invalid, this, 1, 0);
     using In = std::uint32_t(uc_engine*, std::uint32_t, int, void*);
     In* const at_in = [](uc_engine*, std::uint32_t, int, void* data) {
       self(data).stop(End::port);
       return 0U;
     };
-    add(UC_HOOK_INSN, at_in, 1, 0, UC_X86_INS_IN);
+    engine_.hook(UC_HOOK_INSN, at_in, this, 1, 0, UC_X86_INS_IN);
     using Out = void(uc_engine*, std::uint32_t, int, std::uint32_t, void*);
     Out* const at_out = [](uc_engine*, std::uint32_t, int, std::uint32_t, void* data) {
       self(data).stop(End::port);
     };
-    add(UC_HOOK_INSN, at_out, 1, 0, UC_X86_INS_OUT);
+    engine_.hook(UC_HOOK_INSN, at_out, this, 1, 0, UC_X86_INS_OUT);
     using System = void(uc_engine*, void*);
     System* const at_system = [](uc_engine*, void* data) { self(data).stop(End::system_call); };
     // Without a hook, Unicorn takes SYSCALL for an instruction without effect.
-    add(UC_HOOK_INSN, at_system, 1, 0, UC_X86_INS_SYSCALL);
-    add(UC_HOOK_INSN, at_system, 1, 0, UC_X86_INS_SYSENTER);
+    engine_.hook(UC_HOOK_INSN, at_system, this, 1, 0, UC_X86_INS_SYSCALL);
+    engine_.hook(UC_HOOK_INSN, at_system, this, 1, 0, UC_X86_INS_SYSENTER);
     if (trace_ != nullptr) add_trace_hooks();
   }
 
@@ -277,7 +246,7 @@ class Emulator final : public Machine {
       if (e.trace_->steps.size() >= max_emulated_steps) return e.stop(End::endless);
       e.trace_->steps.push_back({at, size, e.read_registers()});
     };
-    add(UC_HOOK_CODE, at_step, 1, 0);
+    engine_.hook(UC_HOOK_CODE, at_step, this, 1, 0);
     using Memory = void(uc_engine*, uc_mem_type, std::uint64_t, int, std::int64_t, void*);
     Memory* const at_access = [](uc_engine*, uc_mem_type type, std::uint64_t address, int size,
                                  std::int64_t, void* data) {
@@ -288,21 +257,19 @@ class Emulator final : public Machine {
                     .bytes = static_cast<std::uint32_t>(size),
                     .is_write = type == UC_MEM_WRITE ? 1U : 0U};
       const std::uint64_t at = address - e.image_.base;
-      const bool is_known = size <= 4 && at <= e.bytes_ - 4;
+      const bool is_known = size <= 4 && at <= e.memory_.size() - 4;
       if (access.is_write == 0 && is_known) {
-        access.value = fetch(e.memory_.get() + at, size);
+        access.value = fetch(e.memory() + at, size);
       }
       e.trace_->accesses.push_back(access);
     };
-    add(UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, at_access, 1, 0);
+    engine_.hook(UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, at_access, this, 1, 0);
   }
 
   const Image& image_;
   Trace* trace_;
-  std::size_t bytes_;
-  std::unique_ptr<std::uint8_t, Free> memory_;
-  uc_engine* engine_ = nullptr;
-  uc_context* fresh_ = nullptr;
+  MappedMemory memory_;
+  Engine engine_;
   Ending ending_;
   std::uint64_t blocks_ = 0;
 };

@@ -1,7 +1,7 @@
 // Replaces emulator.cpp if Unicorn is not installed.
 #include <stdexcept>
 
-#include "judge/code/machine.hpp"
+#include "judge/code/caller.hpp"
 #include "verify/machine_code/emulator.hpp"
 
 namespace fixproof::judge {
@@ -12,5 +12,17 @@ std::string absence_on_unicorn() { return machine_code::Emulator::absence(); }
 std::unique_ptr<Machine> make_emulator(const Image& /*image*/, Trace* /*trace*/) {
   throw std::logic_error(absence_on_unicorn());
 }
+
+
+std::unique_ptr<Caller> make_caller_elsewhere(const Subject& /*subject*/, Trace* /*trace*/) {
+  throw std::logic_error(absence_on_unicorn());
+}
+
+// No image has a processor other than x86.
+RegisterFile::RegisterFile(const Architecture& /*architecture*/) {}
+std::optional<std::size_t> RegisterFile::find(std::string_view /*name*/) const { return {}; }
+std::vector<std::size_t> RegisterFile::all(std::string_view /*names*/) const { return {}; }
+const Architecture* architecture_of_elf(std::string_view /*bytes*/) { return nullptr; }
+std::string names_of_architectures() { return {}; }
 
 }  // namespace fixproof::judge

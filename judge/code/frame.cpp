@@ -6,33 +6,20 @@
 #include <array>
 #include <numeric>
 
+#include "judge/code/call_operands.hpp"
 #include "support/plain_text.hpp"
+#include "support/split.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::judge {
 
 namespace {
 
+using support::split;
+using support::trimmed;
 using support::UsageError;
 using x86model::Register;
 using x86model::Size;
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  if (trimmed(text).empty()) return parts;
-  for (std::size_t at = 0; at != std::string_view::npos;) {
-    at = text.find(separator);
-    parts.push_back(trimmed(text.substr(0, at)));
-    if (at != std::string_view::npos) text.remove_prefix(at + 1);
-  }
-  return parts;
-}
 
 int bits_of(const Place& place) {
   return std::accumulate(place.parts.begin(), place.parts.end(), 0,
@@ -48,20 +35,10 @@ RegisterName register_for_operand(std::string_view text, int code_bits) {
                   support::quoted(text)));
 }
 
-Place place_named(std::string_view text, int code_bits) {
-  Place place;
-  if (text.starts_with('[') && text.ends_with(']')) {
-    place.is_pointer = true;
-    text = trimmed(text.substr(1, text.size() - 2));
-  }
-  for (const std::string_view part : split(text, ':')) {
+Place place_named(const PlaceText& text, int code_bits) {
+  Place place{.parts = {}, .is_pointer = text.is_pointer};
+  for (const std::string_view part : text.parts) {
     place.parts.push_back(register_for_operand(part, code_bits));
-  }
-  if (place.parts.empty() || place.parts.size() > 2 ||
-      (place.is_pointer && place.parts.size() > 1)) {
-    throw UsageError(fmt::format(
-        "--frame: {} is not a place; write a register, a pair like dx:ax or a pointer like [si]",
-        support::quoted(text)));
   }
   return place;
 }
@@ -82,20 +59,12 @@ void expect_registers_of_their_own(const std::vector<Place>& places) {
   }
 }
 
-Frame frame_of_registers(std::string_view text, std::size_t arrow, int bits) {
+Frame frame_of_registers(std::string_view text, int bits) {
   Frame frame{.text = std::string(text), .on_stack = false};
-  std::string_view results = text.substr(arrow + 2);
-  constexpr std::string_view word = "keeps ";
-  if (const std::size_t keeps = results.find(word); keeps != std::string_view::npos) {
-    for (const auto part : split(results.substr(keeps + word.size()), ',')) {
-      frame.kept.push_back(register_for_operand(part, bits));
-    }
-    results = results.substr(0, keeps);
-  }
-  for (const auto part : split(text.substr(0, arrow), ',')) {
-    frame.in.push_back(place_named(part, bits));
-  }
-  for (const auto part : split(results, ',')) frame.out.push_back(place_named(part, bits));
+  const FrameText parts = frame_text(text).value();
+  for (const auto part : parts.kept) frame.kept.push_back(register_for_operand(part, bits));
+  for (const PlaceText& part : parts.in) frame.in.push_back(place_named(part, bits));
+  for (const PlaceText& part : parts.out) frame.out.push_back(place_named(part, bits));
   expect_registers_of_their_own(frame.in);
   expect_registers_of_their_own(frame.out);
   return frame;
@@ -112,24 +81,38 @@ std::vector<RegisterName> kept_by_convention(int bits) {
           {Register::bx, Size::dword}};
 }
 
+PlaceText place_text(std::string_view text) {
+  PlaceText place;
+  std::string_view inner = text;
+  if (text.starts_with('[') && text.ends_with(']')) {
+    place.is_pointer = true;
+    inner = trimmed(text.substr(1, text.size() - 2));
+  }
+  place.parts = split(inner, ':');
+  if (place.parts.empty() || place.parts.size() > 2 ||
+      (place.is_pointer && place.parts.size() > 1)) {
+    throw UsageError(fmt::format(
+        "--frame: {} is not a place; write a register, a pair like dx:ax or a pointer like [si]",
+        support::quoted(inner)));
+  }
+  return place;
+}
+
 }  // namespace
 
-std::vector<Parameter> parameters_of(const cases::Variant& v) {
-  using cases::Operation;
-  const int bits = v.format.word_bits;
-  if (v.operation == Operation::cossin) {
-    const Parameter result{.bits = bits, .is_pointer = true, .is_result = true};
-    return {{.bits = cases::operand_bits(v)}, result, result};
+std::optional<FrameText> frame_text(std::string_view text) {
+  const std::size_t arrow = text.find("->");
+  if (arrow == std::string_view::npos) return std::nullopt;
+  FrameText parts;
+  std::string_view results = text.substr(arrow + 2);
+  constexpr std::string_view word = "keeps ";
+  if (const std::size_t keeps = results.find(word); keeps != std::string_view::npos) {
+    parts.kept = split(results.substr(keeps + word.size()), ',');
+    results = results.substr(0, keeps);
   }
-  if (v.operation == Operation::xformvec) {
-    const auto array = [bits](std::size_t numbers, bool is_result) {
-      return Parameter{
-          .bits = bits, .numbers = numbers, .is_pointer = true, .is_result = is_result};
-    };
-    return {array(12, false), array(3, false), array(3, true)};
-  }
-  return std::vector<Parameter>(cases::words_in(v.operation),
-                                {.bits = bits, .is_signed = v.format.is_signed});
+  for (const auto part : split(text.substr(0, arrow), ',')) parts.in.push_back(place_text(part));
+  for (const auto part : split(results, ',')) parts.out.push_back(place_text(part));
+  return parts;
 }
 
 namespace {
@@ -143,10 +126,7 @@ Frame frame_of_64_bits(std::string_view text, const cases::Variant& variant) {
                     "'edi, esi -> eax'",
                     support::quoted(text)));
   }
-  const auto parameters = parameters_of(variant);
-  const bool returns = std::none_of(parameters.begin(), parameters.end(),
-                                    [](const Parameter& p) { return p.is_result; });
-  return convention_of_64_bits(is_windows, parameters, returns ? variant.format.word_bits : 0);
+  return convention_of_64_bits(is_windows, parameters_of(variant), bits_of_returned(variant));
 }
 
 }  // namespace
@@ -170,8 +150,7 @@ Frame convention_of_64_bits(bool is_windows, std::span<const Parameter> paramete
 }
 
 Frame frame_named(std::string_view text, int bits, const cases::Variant& variant) {
-  const std::size_t arrow = text.find("->");
-  if (arrow != std::string_view::npos) return frame_of_registers(text, arrow, bits);
+  if (text.find("->") != std::string_view::npos) return frame_of_registers(text, bits);
   if (bits == 64) return frame_of_64_bits(text, variant);
   Frame frame{.text = std::string(text)};
   frame.kept = kept_by_convention(bits);
@@ -214,10 +193,10 @@ void expect_place(const Place& place, const Parameter& parameter, bool may_be_va
 }  // namespace
 
 void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
+  if (frame.elsewhere) return;
   const auto parameters = parameters_of(v);
   const std::string_view name = cases::name_of(v.operation);
-  const bool returns = std::none_of(parameters.begin(), parameters.end(),
-                                    [](const Parameter& p) { return p.is_result; });
+  const bool returns = bits_of_returned(v) > 0;
   if (frame.on_stack) {
     if (returns && v.format.word_bits > 2 * bits) {
       throw UsageError(fmt::format("--frame {}: {}-bit code returns no number of {} bits",
@@ -251,6 +230,25 @@ void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
     }
     expect(frame.out[i], result, result.numbers == 1);
   }
+}
+
+Frame frame_for(const Image& image, std::string_view text, const cases::Variant& variant) {
+  if (image.architecture == nullptr) return frame_named(text, image.bits, variant);
+  const auto parameters = parameters_of(variant);
+  const int result_bits = bits_of_returned(variant);
+  Frame frame{.text = std::string(text), .on_stack = false};
+  if (const auto parts = frame_text(text)) {
+    frame.elsewhere =
+        convention_of_registers(*image.architecture, *parts, parameters, result_bits);
+  } else if (text == "c") {
+    frame.elsewhere = convention_of_c(*image.architecture, parameters, result_bits);
+  } else {
+    throw UsageError(
+        fmt::format("--frame {}: choose c for {}, or name registers, the operands first, then -> "
+                    "and the result",
+                    support::quoted(text), image.architecture->name));
+  }
+  return frame;
 }
 
 }  // namespace fixproof::judge

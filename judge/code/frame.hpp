@@ -2,12 +2,15 @@
 /// Calling conventions: where a routine finds its operands and leaves its results.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "judge/code/convention.hpp"
 #include "judge/code/image.hpp"
+#include "judge/code/parameter.hpp"
 #include "judge/code/register_name.hpp"
 #include "verify/cases/variant.hpp"
 
@@ -19,6 +22,20 @@ struct Place {
   bool is_pointer = false;
 };
 
+/// The names in a place and in a frame of registers, as a user wrote them.
+struct PlaceText {
+  std::vector<std::string_view> parts{};  ///< one or two, the highest bits first
+  bool is_pointer = false;
+};
+struct FrameText {
+  std::vector<PlaceText> in{};
+  std::vector<PlaceText> out{};
+  std::vector<std::string_view> kept{};
+};
+/// Takes a frame such as `dx:ax, cx:bx -> dx:ax keeps si` apart; nothing for one without an arrow.
+/// @throws support::UsageError naming what is no place
+std::optional<FrameText> frame_text(std::string_view text);
+
 struct Frame {
   std::string text;                  ///< as the user wrote it
   bool on_stack = true;              ///< the operands are on the stack, not in registers
@@ -28,20 +45,9 @@ struct Frame {
   std::vector<Place> in{};           ///< operands; empty if they are on the stack
   std::vector<Place> out{};          ///< results; empty on the stack or if all are behind pointers
   std::vector<RegisterName> kept{};  ///< must be preserved, as must the stack pointer
+  /// The places on a processor other than x86; then no member but `text` counts.
+  std::optional<Convention> elsewhere{};
 };
-
-/// One operand or result of an operation, as a routine's parameter.
-struct Parameter {
-  int bits = 32;
-  std::size_t numbers = 1;  ///< more than 1 only behind a pointer
-  bool is_pointer = false;  ///< in the stack conventions
-  bool is_result = false;
-  bool is_signed = true;
-};
-
-/// Returns the parameters of a routine that computes an operation: its operands, then its results
-/// behind pointers. A result that is not a parameter is the return value.
-std::vector<Parameter> parameters_of(const cases::Variant& variant);
 
 /// Returns the convention of 64-bit code, of Windows or of System V.
 /// @param parameters  at most 4
@@ -55,6 +61,11 @@ Frame convention_of_64_bits(bool is_windows, std::span<const Parameter> paramete
 /// @param bits 16, 32 or 64, the width of the code
 /// @throws support::UsageError for any other text
 Frame frame_named(std::string_view text, int bits, const cases::Variant& variant);
+
+/// Returns the frame of an image's processor. That of another processor than x86 is `c` or
+/// registers, and is known to fit.
+/// @throws support::UsageError as frame_named()
+Frame frame_for(const Image& image, std::string_view text, const cases::Variant& variant);
 
 /// Checks that the frame has a place for each operand and each result of the operation.
 /// @throws support::UsageError naming the place that is missing or too small

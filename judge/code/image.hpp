@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "judge/code/architecture.hpp"
+
 namespace fixproof::judge {
 
 struct Symbol {
@@ -16,10 +18,17 @@ struct Symbol {
   static constexpr std::uint32_t reach = 0x8000;
 };
 
+/// Memory at a place of its own, such as the RAM of a microcontroller.
+struct Region {
+  std::uint32_t address = 0;
+  std::vector<std::uint8_t> bytes;
+};
+
 /// A routine and the memory around it. Addresses in `memory` are linear; a segment starts at 16
 /// times its number. Flat code has segment 0 everywhere.
 struct Image {
   int bits = 16;
+  const Architecture* architecture = nullptr;  ///< a processor other than x86
   bool has_assumed_bits = false;     ///< whether neither the user nor the file tells the width
   std::string container;             ///< for messages, such as "flat binary"
   std::vector<std::uint8_t> memory;  ///< everything that the routine can reach
@@ -30,14 +39,21 @@ struct Image {
   std::uint16_t code_segment = 0;
   std::uint16_t data_segment = 0;  ///< segment of data and stack
   std::uint32_t entry = 0;         ///< offset in the code segment
+  std::uint32_t entry_mode = 0;    ///< bit 0 for Thumb code
   std::uint32_t entry_end = 0;     ///< offset after the routine; 0 if unknown
   std::vector<Symbol> symbols;
   std::vector<Symbol> missing;  ///< names that an object lacks, at addresses without memory
+
+  std::vector<Region> regions;   ///< memory of the file that is far from `memory`
+  std::vector<Symbol> bases;     ///< the values of symbols that registers point to
 
   std::uint32_t stack_top = 0;  ///< offset in the data segment; arguments are below it
   std::uint32_t data = 0;       ///< offset in the data segment of what pointers point to
   std::uint32_t exit = 0;       ///< offset in the code segment of where the routine returns to
 
+  [[nodiscard]] bool is_big_endian() const {
+    return architecture != nullptr && architecture->is_big_endian;
+  }
   /// Returns the missing name that an address belongs to, or null.
   [[nodiscard]] const Symbol* missing_at(std::uint64_t address) const {
     for (const Symbol& symbol : missing) {
@@ -67,6 +83,8 @@ inline constexpr const char* exe_container = "MZ .EXE";
 
 /// Fills the memory outside the file: HLT, so that stray code ends there.
 inline constexpr std::uint8_t unused = 0xF4;
+/// The same for other processors: an instruction that none of them has.
+inline constexpr std::uint8_t unused_elsewhere = 0xFF;
 
 /// Bytes for the operands and results that pointers point to.
 inline constexpr std::uint32_t data_bytes = 0x80;

@@ -17,10 +17,13 @@ namespace fixproof::judge {
 namespace {
 
 bool is_own(const Image& image, std::uint64_t address, std::uint32_t bytes) {
-  const auto inside = [&](std::uint32_t first, std::uint32_t end) {
+  const auto inside = [&](std::uint64_t first, std::uint64_t end) {
     return address >= first && address <= end && bytes <= end - address;
   };
-  return inside(image.first, std::max(image.end, image.reserved)) ||
+  const bool is_far = std::ranges::any_of(image.regions, [&](const Region& region) {
+    return inside(region.address, region.address + region.bytes.size());
+  });
+  return is_far || inside(image.first, std::max(image.end, image.reserved)) ||
          inside(image.data_at(image.stack_top - stack_bytes),
                 image.data_at(image.data + data_bytes));
 }
@@ -34,7 +37,12 @@ class Inspector {
     if (!call) return;
     ++inspection_.calls;
     operands_ = text_of_operands(subject_.variant, words);
-    look_at_instructions(call->trace);
+    // What flags an instruction reads is known of x86 only.
+    if (subject_.image.architecture == nullptr) look_at_instructions(call->trace);
+    const std::uint64_t steps = call->trace.steps.size();
+    inspection_.instructions += steps;
+    inspection_.least_instructions = std::min(inspection_.least_instructions, steps);
+    inspection_.most_instructions = std::max(inspection_.most_instructions, steps);
     look_at_memory(call->trace);
   }
 
@@ -98,10 +106,15 @@ class Inspector {
   std::string operands_;
 };
 
-std::string changes_text(const Registers& before, const Registers& after, int bits) {
+std::string changes_text(const Registers& before, const Registers& after, const Image& image) {
+  const int bits = image.bits;
   std::string text;
-  for (std::size_t r = 0; r < before.general.size(); ++r) {
+  for (std::size_t r = 0; r < registers_of(image); ++r) {
     if (before.general.at(r) == after.general.at(r)) continue;
+    if (image.architecture != nullptr) {
+      text += fmt::format(" {}={:0{}x}", register_name(image, r), after.general.at(r), bits / 4);
+      continue;
+    }
     // In 16-bit code, the upper half is shown only if it changes.
     const bool high = (before.general.at(r) >> 16U) != (after.general.at(r) >> 16U);
     const RegisterName name = whole_register(r, bits == 16 && high ? 32 : bits);
@@ -130,7 +143,7 @@ TraceText trace_text(const Subject& subject, std::span<const std::uint32_t> word
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const std::string changes =
         i + 1 < steps.size()
-            ? changes_text(steps[i].registers, steps[i + 1].registers, subject.image.bits)
+            ? changes_text(steps[i].registers, steps[i + 1].registers, subject.image)
             : "";
     const std::string line =
         fmt::format("{:04x}  {:<30}{}", steps[i].at, listing.at(steps[i].at).text, changes);

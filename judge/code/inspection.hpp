@@ -25,6 +25,9 @@ struct Inspection {
     unsigned flags = 0;  ///< the undefined flags that it reads
   };
   std::uint64_t calls = 0;
+  std::uint64_t instructions = 0;  ///< of all calls
+  std::uint64_t least_instructions = ~std::uint64_t{0};
+  std::uint64_t most_instructions = 0;
   std::optional<Finding> undefined_flag{};    ///< reads a flag that Intel leaves undefined
   std::optional<Finding> foreign_memory{};    ///< uses memory outside its file, stack and operands
   std::optional<Finding> changes_own_code{};  ///< writes to an instruction that the call runs

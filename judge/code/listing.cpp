@@ -15,10 +15,27 @@ namespace {
 /// Bytes of code that one run of ndisasm reads.
 constexpr std::uint32_t window = 512;
 
+/// Returns a place as a distance from the function before it: no disassembler of all processors is
+/// at hand.
+std::string place_named(const Image& image, std::uint32_t offset) {
+  const Symbol* best = nullptr;
+  for (const Symbol& symbol : image.symbols) {
+    if (symbol.offset <= offset && (best == nullptr || symbol.offset > best->offset)) {
+      best = &symbol;
+    }
+  }
+  return best == nullptr ? fmt::format("{:x}h", offset)
+                         : fmt::format("{}+{:x}h", best->name, offset - best->offset / 2 * 2);
+}
+
 }  // namespace
 
 const Line& Listing::at(std::uint32_t offset) {
   if (const auto known = lines_.find(offset); known != lines_.end()) return known->second;
+  if (image_.architecture != nullptr) {
+    return lines_.emplace(offset, Line{.at = offset, .text = place_named(image_, offset)})
+        .first->second;
+  }
   const std::uint32_t first = image_.index_of(image_.code_at(offset));
   const auto last = std::min(static_cast<std::uint32_t>(image_.memory.size()), first + window);
   const std::string bytes(image_.memory.begin() + std::min(first, last),

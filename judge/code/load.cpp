@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "judge/code/compiler.hpp"
 #include "support/bounded_file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -104,6 +105,10 @@ void find_entry(Image& image, const LoadOptions& options) {
 
 Image entered(Image image, const LoadOptions& options) {
   find_entry(image, options);
+  if (image.architecture != nullptr && image.architecture->has_marked_entries) {
+    image.entry_mode = image.entry % 2;
+    image.entry -= image.entry_mode;
+  }
   if (image.container == exe_container) place_stack_of_exe(image);
   const std::uint32_t entry = image.code_at(image.entry);
   if (entry < image.first || entry >= image.end) {
@@ -137,9 +142,9 @@ Image image_of_source(const std::string& path, const LoadOptions& options) {
 
 /// Refuses files that are not machine code, so that they are not taken for a flat binary.
 void expect_machine_code(const std::string& path) {
-  for (const char* extension : {".s", ".c", ".cc", ".cpp", ".cxx", ".pas", ".bas"}) {
+  for (const char* extension : {".s", ".pas", ".bas"}) {
     if (has_extension(path, extension)) {
-      throw UsageError("is a source; compile it, as with gcc -m32 -c, and give the object");
+      throw UsageError("is a source; compile it, as with gcc -c, and give the object");
     }
   }
   if (has_extension(path, ".obj")) {
@@ -150,14 +155,19 @@ void expect_machine_code(const std::string& path) {
 Image image_of(const std::string& path, const std::string& bytes, const LoadOptions& options) {
   Image image;
   if (bytes.starts_with("\177ELF")) {
-    const std::optional<int> bits = bits_of_elf(bytes);
+    image.architecture = architecture_of_elf(bytes);
+    const std::optional<int> bits =
+        image.architecture != nullptr ? image.architecture->word_bits() : bits_of_elf(bytes);
     if (!bits) {
+      const std::string others = names_of_architectures();
       throw UsageError(
-          "the ELF file is neither i386 nor x86-64 code; compile for this kind of processor");
+          fmt::format("the ELF file is for none of the processors that judge runs: i386, x86-64{}{}",
+                      others.empty() ? "; others need Unicorn" : ", ", others));
     }
     // An object for the i386 may have 16-bit code.
     image.bits = options.bits.value_or(*bits);
-    if ((image.bits == 64) != (*bits == 64)) {
+    if ((image.bits == 64) != (*bits == 64) ||
+        (image.architecture != nullptr && image.bits != *bits)) {
       throw UsageError(fmt::format("--bits {}: the ELF file has {}-bit code; leave --bits out",
                                    image.bits, *bits));
     }
@@ -201,7 +211,8 @@ bool has_extension(const std::string& path, const std::string& extension) {
 
 void load_flat(Image& image, const std::string& bytes, std::uint32_t origin) {
   const bool wide = image.bits >= 32;
-  image.memory.assign(wide ? 0x100000 : 0x10000, unused);
+  image.memory.assign(wide ? 0x100000 : 0x10000,
+                      image.architecture != nullptr ? unused_elsewhere : unused);
   const auto size = static_cast<std::uint32_t>(image.memory.size());
   image.exit = image.base + size - exit_bytes;
   image.data = image.exit - data_bytes;
@@ -246,11 +257,14 @@ std::string bytes_of(const std::string& path) {
 
 Image load(const std::string& path, const LoadOptions& options) {
   return naming_the_file(path, [&] {
-    return entered(
-        is_source(path)
-            ? image_of_source(path, options)
-            : image_of(path, support::read_bounded(path, max_bytes_with_information), options),
-        options);
+    if (is_source(path)) return entered(image_of_source(path, options), options);
+    const bool is_c = is_c_source(path);
+    const std::string bytes =
+        is_c ? compiled_source(path) : support::read_bounded(path, max_bytes_with_information);
+    if (is_c && !bytes.starts_with("\177ELF")) {
+      throw UsageError("the compiler does not write ELF objects; choose another with $CC or $CXX");
+    }
+    return entered(image_of(path, bytes, options), options);
   });
 }
 

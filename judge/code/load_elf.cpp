@@ -5,7 +5,8 @@
 #include <map>
 #include <optional>
 
-#include "judge/code/call.hpp"
+#include "judge/code/bytes.hpp"
+#include "judge/code/compiler.hpp"
 #include "judge/code/elf_file.hpp"
 #include "judge/code/load.hpp"
 #include "support/plain_text.hpp"
@@ -28,7 +29,7 @@ class Object {
     place();
     read_symbols();
     for (const Section& section : file_.sections()) {
-      if (section.type == file_.list_type()) relocate(section);
+      if (file_.is_list(section)) relocate(section);
       if (file_.is_unused_list(section) && file_.is_placed(section.info)) {
         throw file_.unused_list();
       }
@@ -90,7 +91,7 @@ class Object {
     flat.resize((flat.size() + 7) / 8 * 8);
     offset_table_ = next_entry_ = elf::load_address + static_cast<std::uint32_t>(flat.size());
     for (const Section& list : file_.sections()) {
-      if (list.type != file_.list_type() || !file_.is_placed(list.info)) continue;
+      if (!file_.is_list(list) || !file_.is_placed(list.info)) continue;
       for (std::uint64_t i = 0; i < file_.relocations_in(list); ++i) {
         if (needs_entry(file_.relocation_at(list, i).type)) flat.append(entry_bytes(), '\0');
       }
@@ -233,10 +234,20 @@ class Object {
 }  // namespace
 
 void load_elf(Image& image, const std::string& bytes) {
-  elf::File file(bytes, image.bits == 64);
+  const bool is_other = image.architecture != nullptr;
+  elf::File file(bytes, image.bits == 64, image.is_big_endian(), is_other);
   switch (file.kind()) {
-    case ET_REL:
-      return Object(image, file).load();
+    case ET_REL: {
+      if (is_other) {
+        load_elf(image, linked_object(image, bytes));
+        image.container = object_container;
+      } else {
+        const std::string whole = with_library_functions(bytes, image.bits);
+        elf::File file_with_library(whole, image.bits == 64);
+        Object(image, file_with_library).load();
+      }
+      return keep_symbols_of(image, bytes);
+    }
     case ET_EXEC:
     case ET_DYN:
       return elf::load_linked(image, file);

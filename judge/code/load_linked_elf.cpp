@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "judge/code/call.hpp"
+#include "judge/code/bytes.hpp"
 #include "judge/code/elf_file.hpp"
 #include "judge/code/load.hpp"
 #include "support/plain_text.hpp"
@@ -16,6 +16,8 @@ namespace {
 using support::UsageError;
 
 constexpr std::uint32_t page = 0x1000;
+/// Addresses have 32 bits, and the stack is above the code.
+constexpr std::uint64_t most_address = 0xFFF00000;
 /// The newest kind of a list of relocations, which <elf.h> of Debian 12 has, but others do not.
 constexpr std::uint32_t packed_list = 19;
 
@@ -31,6 +33,16 @@ enum class Put : std::uint8_t {
   copied,       ///< a variable of a shared library is copied there
   unknown,
 };
+
+/// What a relocation of a processor other than x86 puts into its place. Its unknown ones are those
+/// of functions that a program chooses as it starts, and of variables of threads.
+Put put_of(std::uint32_t type, const Architecture& architecture) {
+  const auto& [own_address, symbol, entry, call] = architecture.relocations;
+  if (type == 0) return Put::nothing;
+  if (type == own_address) return Put::own_address;
+  if (type == symbol) return Put::symbol;
+  return type == entry || type == call ? Put::entry : Put::unknown;
+}
 
 Put put_of(std::uint32_t type, bool is_64) {
   if (is_64) {
@@ -110,22 +122,54 @@ class Linked {
             "the ELF file has packed relocations; link it without "
             "-z pack-relative-relocs");
       }
-      if (list.type == file_.list_type()) relocate(list);
+      if (file_.is_list(list)) relocate(list);
     }
   }
 
  private:
-  void place() {
-    if (segments_.empty()) throw UsageError("the ELF file has no code");
-    // In order and apart, so that their bytes add up to no more than there is room for.
-    const std::uint64_t first = segments_.front().address / page * page;
-    std::uint64_t end = first;
+  [[nodiscard]] bool is_other() const { return image_.architecture != nullptr; }
+
+  /// Expects segments in order and apart, so that their bytes add up to no more than there is room
+  /// for.
+  void expect_order() const {
+    std::uint64_t end = 0;
     for (const Segment& s : segments_) {
-      if (s.address < end || s.memory_bytes > ~s.address || s.file_bytes > s.memory_bytes) {
+      if (s.address < end || s.memory_bytes > ~s.address || s.file_bytes > s.memory_bytes ||
+          s.offset > file_.bytes().size() || file_.bytes().size() - s.offset < s.file_bytes) {
         throw damaged();
       }
       end = s.address + s.memory_bytes;
     }
+  }
+
+  /// Takes the segments from `segments_` that are far from the first: the RAM of a microcontroller.
+  void place_far_segments(std::uint64_t first) {
+    constexpr std::uint64_t all_addresses = std::uint64_t{1} << 32U;
+    std::size_t bytes = 0;
+    while (segments_.back().address - first > max_code_bytes) {
+      const Segment s = segments_.back();
+      segments_.pop_back();
+      bytes += s.memory_bytes;
+      if (bytes > max_code_bytes || s.address + s.memory_bytes > all_addresses) {
+        throw UsageError("the ELF file has more than 1 MiB of data far from its code, or above "
+                         "4 GiB; give the object of the routine from before linking");
+      }
+      Region region{.address = static_cast<std::uint32_t>(s.address), .bytes = {}};
+      region.bytes.assign(s.memory_bytes, 0);
+      std::copy_n(file_.bytes().begin() + static_cast<std::ptrdiff_t>(s.offset), s.file_bytes,
+                  region.bytes.begin());
+      image_.regions.push_back(std::move(region));
+    }
+  }
+
+  void place() {
+    std::erase_if(segments_, [](const Segment& s) { return s.memory_bytes == 0; });
+    if (segments_.empty()) throw UsageError("the ELF file has no code");
+    if (is_other()) std::ranges::stable_sort(segments_, {}, &Segment::address);
+    expect_order();
+    const std::uint64_t first = segments_.front().address / page * page;
+    if (is_other()) place_far_segments(first);
+    const std::uint64_t end = segments_.back().address + segments_.back().memory_bytes;
     if (end - first > max_code_bytes) {
       throw UsageError(fmt::format(
           "the ELF file has {} KiB of code and data, and there is room for less than 1 MiB; give "
@@ -133,11 +177,12 @@ class Linked {
           (end - first + 1023) / 1024));
     }
     if (file_.kind() == ET_EXEC) {
-      if (first > first_missing - max_code_bytes) {
+      const std::uint64_t most = is_other() ? most_address : first_missing;
+      if (first > most - max_code_bytes) {
         throw UsageError(
             fmt::format("the ELF file is linked for {:x}h, and programs have room up "
                         "to {:x}h; link it with -static-pie",
-                        first, first_missing));
+                        first, most));
       }
       image_.base = static_cast<std::uint32_t>(first);
     }
@@ -145,9 +190,7 @@ class Linked {
     shift_ = origin - static_cast<std::uint32_t>(first);
     std::string flat(end - first, '\0');
     for (const Segment& s : segments_) {
-      const std::string& bytes = file_.bytes();
-      if (s.offset > bytes.size() || bytes.size() - s.offset < s.file_bytes) throw damaged();
-      flat.replace(s.address - first, s.file_bytes, bytes, s.offset, s.file_bytes);
+      flat.replace(s.address - first, s.file_bytes, file_.bytes(), s.offset, s.file_bytes);
     }
     image_.container = linked_container;
     load_flat(image_, flat, origin);
@@ -158,9 +201,10 @@ class Linked {
   }
 
   [[nodiscard]] bool is_code(std::uint32_t place) const {
-    return std::ranges::any_of(segments_, [&](const Segment& s) {
+    const auto has = [&](const Segment& s) {
       return (s.flags & PF_X) != 0 && place - placed(s.address) < s.memory_bytes;
-    });
+    };
+    return std::ranges::any_of(segments_, has);
   }
 
   void read_symbols() {
@@ -172,7 +216,9 @@ class Linked {
     if (table == file_.sections().end()) return;
     for (std::uint64_t i = 0; i < file_.symbols_in(*table); ++i) {
       const Symbol symbol = file_.symbol_at(*table, i);
-      if (symbol.section == SHN_UNDEF || symbol.section == SHN_ABS || symbol.name == 0) continue;
+      if (symbol.section == SHN_UNDEF || symbol.name == 0) continue;
+      if (is_other() && symbol.type != STT_FUNC) note_base(*table, symbol);
+      if (symbol.section == SHN_ABS) continue;
       const std::uint32_t place = placed(symbol.value);
       if (symbol.type == STT_GNU_IFUNC) {
         choosers_.try_emplace(place, file_.name_of(*table, symbol));
@@ -181,6 +227,14 @@ class Linked {
       if (symbol.binding == STB_LOCAL || symbol.type == STT_TLS || !is_code(place)) continue;
       std::string name = file_.name_of(*table, symbol);
       if (is_routine(name)) image_.symbols.push_back({std::move(name), place});
+    }
+  }
+
+  /// Keeps the value of a symbol that a register of the processor points to.
+  void note_base(const Section& table, const Symbol& symbol) {
+    for (const BaseRegister& base : image_.architecture->bases) {
+      if (base.name.empty() || file_.name_of(table, symbol) != base.symbol) continue;
+      image_.bases.push_back({std::string(base.name), placed(symbol.value)});
     }
   }
 
@@ -219,7 +273,8 @@ class Linked {
   }
 
   void relocate(const Section& list, const Relocation& one) {
-    const Put put = put_of(one.type, file_.is_64());
+    const Put put =
+        is_other() ? put_of(one.type, *image_.architecture) : put_of(one.type, file_.is_64());
     if (put == Put::nothing) return;
     const auto symbols = [&]() -> const Section& { return file_.section(list.link); };
     if (put == Put::copied) {
@@ -227,13 +282,15 @@ class Linked {
           "the ELF file has the variable {} from a shared library; link it with -static-pie",
           support::quoted(file_.name_of(symbols(), file_.symbol_at(symbols(), one.symbol)))));
     }
-    if (put == Put::unknown) {
+    if (put == Put::unknown && (!is_other() || file_.kind() == ET_DYN)) {
       throw UsageError(
           fmt::format("the ELF file has a relocation of type {}; give the object of "
                       "the routine from before linking",
                       one.type));
     }
+    const bool is_big = image_.is_big_endian();
     const int size = file_.is_64() ? 8 : 4;
+    if (put == Put::unknown) return;
     const std::uint32_t place = placed(one.offset);
     if (place < image_.first || place > image_.end ||
         image_.end - place < static_cast<unsigned>(size)) {
@@ -241,8 +298,8 @@ class Linked {
     }
     std::uint8_t* const bytes = image_.memory.data() + image_.index_of(place);
     const std::int64_t addend =
-        one.addend ? *one.addend : static_cast<std::int32_t>(fetch(bytes, 4));
-    const auto put_address = [&](std::uint32_t address) { store(bytes, address, size); };
+        one.addend ? *one.addend : static_cast<std::int32_t>(fetch(bytes, 4, is_big));
+    const auto put_address = [&](std::uint32_t address) { store(bytes, address, size, is_big); };
     switch (put) {
       case Put::own_address:
         return put_address(placed(static_cast<std::uint64_t>(addend)));
@@ -257,12 +314,12 @@ class Linked {
     }
     const std::uint32_t value = one.symbol == 0 ? 0 : value_of(symbols(), one.symbol);
     const std::int64_t sum = value + addend - (put == Put::distance ? std::int64_t{place} : 0);
-    store(bytes, static_cast<std::uint64_t>(sum), size);
+    store(bytes, static_cast<std::uint64_t>(sum), size, is_big);
   }
 
   Image& image_;
   File& file_;
-  std::vector<Segment> segments_;
+  std::vector<Segment> segments_;  ///< those that are near the first
   MissingNames missing_{image_};
   std::uint32_t shift_ = 0;                        ///< from the file's addresses to those here
   std::map<std::uint32_t, std::string> choosers_;  ///< of functions, by their address

@@ -41,6 +41,9 @@ class Processor final : public Machine {
 }  // namespace
 
 std::string absence_on_processor(const Image& image) {
+  if (image.architecture != nullptr) {
+    return fmt::format("code for {} runs on Unicorn only", image.architecture->name);
+  }
   if (image.bits == 64) return "64-bit code runs on Unicorn only";
   if (image.code_segment != 0 || image.data_segment != 0) {
     return "code with several real-mode segments runs on Unicorn only";

@@ -58,26 +58,10 @@ std::string bytes_of(std::span<const std::uint32_t> words) {
   return bytes;
 }
 
-Answer answer_of(Machine& machine, Call& call, const cases::Variant& variant,
-                 std::span<const std::uint32_t> words, std::uint64_t number) {
-  Registers registers;
-  call.enter(machine.memory(), registers, words, number);
-  Answer answer;
-  answer.ending = machine.call(registers);
-  if (answer.ending.end != End::returned) return answer;
-  answer.broken = call.broken(registers);
-  answer.changed = call.changed(registers);
-  call.leave(machine.memory(), registers, std::span(answer.words).first(words_out(variant)));
-  return answer;
-}
-
 /// Serves batches: a request has the words of the cases, and the reply has their answers.
 Confined::Serve serve_batches(const Subject& subject, On on, Confined::Steps& steps) {
-  std::shared_ptr<Machine> machine =
-      on == On::processor ? make_processor(subject.image) : make_emulator(subject.image, nullptr);
-  const auto call = std::make_shared<Call>(subject.image, subject.frame, subject.variant,
-                                           machine->code_selector());
-  return [machine, call, &subject, &steps, number = std::uint64_t{0},
+  const std::shared_ptr<Caller> caller = make_caller(subject, on, nullptr);
+  return [caller, &subject, &steps, number = std::uint64_t{0},
           room = std::vector<std::uint32_t>(),
           answers = std::vector<Answer>()](std::string_view request) mutable {
     read_as(request, room);
@@ -85,8 +69,7 @@ Confined::Serve serve_batches(const Subject& subject, On on, Confined::Steps& st
     const std::size_t in = words_in(subject.variant);
     answers.clear();
     for (std::size_t at = 0; at + in <= words.size(); at += in) {
-      answers.push_back(
-          answer_of(*machine, *call, subject.variant, words.subspan(at, in), number++));
+      answers.push_back(caller->answer(words.subspan(at, in), number++));
       ++steps;
       if (!ended_well(answers.back())) break;
     }
@@ -100,12 +83,10 @@ Confined::Serve serve_batches(const Subject& subject, On on, Confined::Steps& st
 /// the steps and the accesses.
 Confined::Serve serve_trace(const Subject& subject) {
   const auto trace = std::make_shared<Trace>();
-  const std::shared_ptr<Machine> machine = make_emulator(subject.image, trace.get());
-  return [trace, machine, &subject,
-          room = std::vector<std::uint32_t>()](std::string_view request) mutable {
-    Call call(subject.image, subject.frame, subject.variant, machine->code_selector());
+  const std::shared_ptr<Caller> caller = make_caller(subject, On::unicorn, trace.get());
+  return [trace, caller, room = std::vector<std::uint32_t>()](std::string_view request) mutable {
     read_as(request, room);
-    const Answer answer = answer_of(*machine, call, subject.variant, room, 0);
+    const Answer answer = caller->answer(room, 0);
     std::string reply;
     append(reply, &answer, 1);
     const auto steps = static_cast<std::uint32_t>(trace->steps.size());
@@ -118,16 +99,11 @@ Confined::Serve serve_trace(const Subject& subject) {
 
 }  // namespace
 
-bool ended_well(const Answer& answer) {
-  return answer.ending.end == End::returned || answer.ending.end == End::divide_error;
-}
-
 namespace {
 
-bool is_possible(const Answer& answer, int code_bits) {
-  const unsigned registers =
-      (1U << (code_bits == 64 ? register_count : x86model::register_count)) - 1;
-  const unsigned broken = registers | Call::sets_direction | Call::fills_x87 | Call::controls_x87 |
+bool is_possible(const Answer& answer, std::size_t register_count) {
+  const RegisterMask registers = (RegisterMask{1} << register_count) - 1;
+  const RegisterMask broken = registers | Call::sets_direction | Call::fills_x87 | Call::controls_x87 |
                           Call::moves_segments;
   return answer.ending.end <= End::fault && (answer.broken & ~broken) == 0 &&
          (answer.changed & ~registers) == 0;
@@ -136,23 +112,23 @@ bool is_possible(const Answer& answer, int code_bits) {
 }  // namespace
 
 std::optional<std::vector<Answer>> read_answers(std::string_view reply, std::size_t asked,
-                                                int code_bits) {
+                                                std::size_t registers) {
   const std::size_t count = reply.size() / sizeof(Answer);
   if (count == 0 || count > asked || reply.size() % sizeof(Answer) != 0) return std::nullopt;
   std::vector<Answer> answers;
   read_as(reply, answers);
   for (const Answer& answer : answers) {
     const bool is_last = &answer == &answers.back();
-    if (!is_possible(answer, code_bits) || (!is_last && !ended_well(answer))) return std::nullopt;
+    if (!is_possible(answer, registers) || (!is_last && !ended_well(answer))) return std::nullopt;
   }
   if (count < asked && ended_well(answers.back())) return std::nullopt;
   return answers;
 }
 
-std::optional<TracedCall> read_trace(std::string_view reply, int code_bits) {
+std::optional<TracedCall> read_trace(std::string_view reply, std::size_t registers) {
   TracedCall call;
   std::uint32_t steps = 0;
-  if (!read_first(reply, call.answer) || !is_possible(call.answer, code_bits) ||
+  if (!read_first(reply, call.answer) || !is_possible(call.answer, registers) ||
       !read_first(reply, steps) || reply.size() / sizeof(Step) < steps) {
     return std::nullopt;
   }
@@ -193,7 +169,7 @@ Runner::Batch Runner::ask(std::span<const std::uint32_t> words) {
                                                      .bytes = cases * sizeof(Answer)});
   downfall_ = reply.downfall != Downfall::none ? reply.downfall : downfall_;
   if (reply.downfall != Downfall::none) return {reply.downfall};
-  if (auto answers = read_answers(reply.bytes, cases, subject_.image.bits))
+  if (auto answers = read_answers(reply.bytes, cases, registers_of(subject_.image)))
     return {.answers = std::move(*answers)};
   server_.reset();
   downfall_ = Downfall::false_reply;
@@ -228,7 +204,7 @@ std::optional<TracedCall> traced(const Subject& subject, std::span<const std::ui
   const Reply reply = child.ask(
       bytes_of(words),
       {.step = 5 * time_of_case, .whole = 5 * time_of_case, .steps = 0, .bytes = longest_trace});
-  return read_trace(reply.bytes, subject.image.bits);
+  return read_trace(reply.bytes, registers_of(subject.image));
 }
 
 }  // namespace fixproof::judge

@@ -11,31 +11,10 @@
 #include <string_view>
 #include <vector>
 
+#include "judge/code/caller.hpp"
 #include "judge/code/confined.hpp"
-#include "judge/code/machine.hpp"
 
 namespace fixproof::judge {
-
-/// A routine, how to call it, and what it should compute. It must outlive everything that works on
-/// it.
-struct Subject {
-  Image image;
-  Frame frame;
-  cases::Variant variant;
-};
-
-/// The outcome of one call.
-struct Answer {
-  Ending ending{};
-  std::uint32_t broken = 0;                                 ///< see Call::broken()
-  std::uint32_t changed = 0;                                ///< see Call::changed()
-  std::array<std::uint32_t, cases::max_words_out> words{};  ///< valid if it returned
-};
-
-/// Tells whether a call returned or raised #DE.
-bool ended_well(const Answer& answer);
-
-enum class On { processor, unicorn };
 
 /// Answers cases on one machine.
 class Runner {
@@ -76,13 +55,13 @@ struct TracedCall {
 
 /// Reads a reply to a batch of cases. Returns nothing if it is false: if it has another length than
 /// some answers, no answer, more than `asked`, or fewer without a call that is stuck; if a stuck
-/// call is not the last; or if an ending, or a register of code of that width, is none.
+/// call is not the last; or if an ending, or one of so many registers, is none.
 std::optional<std::vector<Answer>> read_answers(std::string_view reply, std::size_t asked,
-                                                int code_bits);
+                                                std::size_t registers);
 
 /// Reads a traced call. Returns nothing if it is false: if it has another length than its steps and
 /// accesses, an ending or a register that is none, or an access of no step or of too many bytes.
-std::optional<TracedCall> read_trace(std::string_view reply, int code_bits);
+std::optional<TracedCall> read_trace(std::string_view reply, std::size_t registers);
 
 /// Traces one call on Unicorn. Returns nothing if its process dies, which only a defect of Unicorn
 /// can cause.

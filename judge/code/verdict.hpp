@@ -28,7 +28,7 @@ struct Incident {
   std::vector<std::uint32_t> words{};
   std::string operands{};  ///< the words as text
   Ending ending{};
-  unsigned broken = 0;  ///< see Call::broken()
+  RegisterMask broken = 0;  ///< see Call::broken()
 };
 
 struct Verdict {
@@ -48,7 +48,7 @@ struct Verdict {
   /// Whether only Unicorn gives the unsteady case another result.
   bool is_steady_on_processor = false;
   std::optional<KeptState> state{};             ///< why the case is unsteady, if memory is why
-  unsigned changed = 0;                         ///< see Call::changed()
+  RegisterMask changed = 0;                     ///< see Call::changed()
   std::optional<check::JudgedCase> smallest{};  ///< the simplest case that is wrong when run again
 
   [[nodiscard]] bool is_right() const {

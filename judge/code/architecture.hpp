@@ -1,0 +1,95 @@
+/// @file
+/// The processors other than x86 that Unicorn runs, as data.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fixproof::judge {
+
+/// What a caller leaves in a register or on the stack above a number that is narrower.
+enum class Above : std::uint8_t {
+  noise,            ///< anything
+  extension,        ///< the extension of the number, by its sign
+  extension_of_32,  ///< the same up to 32 bits, then that of a signed number of 32 bits
+};
+
+/// Registers whose numbers follow each other in Unicorn.
+struct RegisterRun {
+  std::string_view names{};  ///< separated by spaces
+  int first = 0;             ///< Unicorn's number of the first
+};
+
+/// A register that code expects to have the value of a symbol, if the file has the symbol.
+struct BaseRegister {
+  std::string_view name{};
+  std::string_view symbol{};
+};
+
+/// A control register, and the bits of it that floating point needs.
+struct Setting {
+  int number = -1;  ///< Unicorn's
+  std::uint64_t bits = 0;
+};
+
+/// A kind of processor and its C calling convention. Names of registers are separated by spaces.
+struct Architecture {
+  std::string_view name;  ///< as messages have it
+  // The file.
+  unsigned machine;  ///< e_machine of ELF
+  bool is_64;
+  bool is_big_endian;
+  // Unicorn.
+  int emulator;    ///< uc_arch
+  int mode;        ///< uc_mode
+  int model = -1;  ///< the processor's number in Unicorn; -1 for its default
+  std::array<RegisterRun, 4> runs;
+  int program_counter;
+  std::array<Setting, 2> settings{};
+  /// Exceptions by their numbers in Unicorn; -1 if there are none.
+  std::array<int, 2> divide_errors{-1, -1};
+  std::array<int, 2> system_calls{-1, -1};
+  bool has_marked_entries = false;  ///< bit 0 of an address says that Thumb code is there
+  // The convention.
+  std::string_view stack_pointer;
+  std::string_view link{};       ///< receives the return address; empty if it is pushed
+  std::string_view callee{};     ///< holds the address of the function that is called
+  std::string_view arguments{};  ///< in their order
+  std::string_view results;      ///< the second one is for numbers wider than a register
+  std::string_view kept;         ///< preserved by a call, as is the stack pointer
+  std::array<BaseRegister, 2> bases{};
+  Above above = Above::extension;
+  bool has_even_pairs = false;  ///< a number of two registers begins in one with an even place
+  std::uint32_t first_on_stack = 0;  ///< bytes from the stack pointer to the first argument there
+  // The toolchains of Debian whose linker and libgcc fit, and the package of the first.
+  std::array<std::string_view, 3> toolchains{};
+  std::string_view package;
+  std::string_view linked_as{};  ///< the linker's emulation, if its default is another one
+  /// Relocations of a shared library: an address in the file; a symbol with an addend; a symbol.
+  std::array<std::uint32_t, 4> relocations{};
+
+  [[nodiscard]] int word_bits() const { return is_64 ? 64 : 32; }
+};
+
+/// The registers of a processor, numbered as in its runs.
+struct RegisterFile {
+  std::vector<std::string> names{};
+  std::vector<int> numbers{};  ///< Unicorn's
+
+  explicit RegisterFile(const Architecture& architecture);
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
+  /// @param names of registers that exist
+  [[nodiscard]] std::vector<std::size_t> all(std::string_view names) const;
+};
+
+/// Returns the processor of an ELF file, or null if it is x86 or none of the table.
+const Architecture* architecture_of_elf(std::string_view bytes);
+/// Returns the names of all processors, such as "ARM, AArch64"; empty without Unicorn.
+std::string names_of_architectures();
+
+}  // namespace fixproof::judge
