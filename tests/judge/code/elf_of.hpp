@@ -70,7 +70,8 @@ class Writer {
   void number(std::uint64_t value) { put(out_, value, 4); }
 
   void write_header(unsigned sections, unsigned header, unsigned segment, unsigned parts) {
-    out_ = std::string("\177ELF") + (file_.is_64 ? '\2' : '\1') + (file_.is_big_endian ? '\2' : '\1');
+    out_ =
+        std::string("\177ELF") + (file_.is_64 ? '\2' : '\1') + (file_.is_big_endian ? '\2' : '\1');
     out_ += '\1';
     out_.resize(16);
     half(2);  // an executable

@@ -111,8 +111,9 @@ TEST(JudgeElf, AnObjectOfAnotherProcessorIsRefused) {
   std::ifstream stream(to, std::ios::binary);
   std::string bytes(std::istreambuf_iterator<char>(stream), {});
   bytes[18] = '\x15';  // e_machine: PowerPC of 64 bits
-  command::expect_usage_error(judge(folder.write("arm.o", bytes), "--as|mul"),
-                              "the ELF file is for none of the processors that judge runs: i386, x86-64, ARM, ");
+  command::expect_usage_error(
+      judge(folder.write("arm.o", bytes), "--as|mul"),
+      "the ELF file is for none of the processors that judge runs: i386, x86-64, ARM, ");
 }
 
 }  // namespace

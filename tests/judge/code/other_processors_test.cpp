@@ -62,7 +62,8 @@ TEST(OtherProcessors, ADefectHasTheSameVerdictOnAll) {
   for (const Code& code : other_processors::all) {
     const auto carry = judge(folder.write("f.elf", linked(code, code.lost_carry)),
                              "--as|mul|--cases|20000|--rounding|half-up");
-    expect(carry, 1, {"every wrong result is 1.0 too low, as if a carry from the fraction were lost"});
+    expect(carry, 1,
+           {"every wrong result is 1.0 too low, as if a carry from the fraction were lost"});
     carries.insert(line_of(carry.out, "WRONG") + line_of(carry.out, "  smallest:"));
     const auto tie = judge(folder.write("f.elf", linked(code, code.wrong_ties)),
                            "--as|mul|--cases|20000|--rounding|half-up");
@@ -94,8 +95,7 @@ class Placed {
     std::vector<judge::Parameter> parameters;
     for (const int b : bits) parameters.push_back({.bits = b});
     std::string text;
-    for (const judge::Passing& passing :
-         judge::convention_of_c(architecture_, parameters, 64).in) {
+    for (const judge::Passing& passing : judge::convention_of_c(architecture_, parameters, 64).in) {
       text += text.empty() ? "" : " ";
       for (const judge::Part& part : passing.parts) {
         text += &part == &passing.parts.front() ? "" : "+";
@@ -158,7 +158,8 @@ TEST(OtherProcessors, HowACallEnds) {
   // Endless; a system call; an invalid instruction; memory that is not there; code that is not.
   expect_end("ARM", "feffffea", "the routine does not end");
   expect_end("ARM", "000000ef", "makes a system call at 10000h: routines run without a system");
-  expect_end("ARM", "0000a0e3000090e5", "the routine uses memory at 0h, where there is none, at 10004h");
+  expect_end("ARM", "0000a0e3000090e5",
+             "the routine uses memory at 0h, where there is none, at 10004h");
   expect_end("ARM", "f000f0e7", "the routine has an invalid instruction at 10000h");
   expect_end("AArch64", "00000014", "the routine does not end");
   expect_end("AArch64", "010000d4", "makes a system call at 1");
@@ -184,7 +185,8 @@ TEST(OtherProcessors, WhatIsThereForX86Only) {
                                 option + " is for x86, and this is code for ARM");
   }
   command::expect_usage_error(judge(file, "--list"), "--list is for x86, and this is code for ARM");
-  command::expect_usage_error(judge(file, "--as|mul|--bits|16"), "--bits 16: the ELF file has 32-bit");
+  command::expect_usage_error(judge(file, "--as|mul|--bits|16"),
+                              "--bits 16: the ELF file has 32-bit");
 }
 
 TEST(OtherProcessors, ATraceShowsTheRegisters) {
@@ -217,7 +219,8 @@ TEST(OtherProcessors, AnObjectNeedsTheLinkerOfItsToolchain) {
   std::string object = linked(processor("s390x"), processor("s390x").mul);
   object[17] = '\1';  // e_type: an object
   const std::string file = folder.write("f.o", object);
-  const auto run = command::run({"env", "PATH=/nowhere", paths::command(), "judge", file, "--as", "mul"});
+  const auto run =
+      command::run({"env", "PATH=/nowhere", paths::command(), "judge", file, "--as", "mul"});
   command::expect_usage_error(run,
                               "an object for s390x needs the linker of its toolchain, which is not "
                               "installed; install Debian's package gcc-s390x-linux-gnu");
