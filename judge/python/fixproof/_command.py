@@ -9,6 +9,8 @@ from typing import IO, Iterator, List, Optional
 class Error(Exception):
     """Something could not be judged. The message names the thing, the place and the fix."""
 
+    __module__ = "fixproof"
+
 
 def command() -> str:
     """Returns the path of the command: that of $FIXPROOF if it is set, else the one on the PATH.
@@ -32,7 +34,7 @@ def command() -> str:
 def message_of(stderr: bytes, status: int) -> str:
     """Returns what the command says of a failure, in one line."""
     text = " ".join(stderr.decode(errors="replace").split())
-    return text or f"the command fixproof ended with status {status} and said nothing"
+    return text.removeprefix("fixproof: ") or f"the command fixproof ended with status {status} and said nothing"
 
 
 @contextmanager

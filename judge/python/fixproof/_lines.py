@@ -1,6 +1,6 @@
 """Operands and results as the lines of `fixproof gen` and `fixproof check`."""
 import struct
-from typing import Any, Iterator, List, NoReturn, Sequence, Tuple
+from typing import Any, Iterator, NoReturn, Sequence, Tuple
 
 from ._command import Error
 from ._format import Format
@@ -100,5 +100,4 @@ def decoded(lines: Lines, text: Any) -> Any:
     if every result is accepted."""
     if text is None or text == DE or lines.operation == "to_decimal":
         return text
-    word: List[int] = list(struct.unpack(f">{lines.results.code}", bytes.fromhex(text)))
-    return word[0]
+    return struct.unpack(f">{lines.results.code}", bytes.fromhex(text))[0]

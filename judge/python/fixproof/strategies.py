@@ -8,7 +8,7 @@
 ...     assert multiply(a, b) == multiply(b, a)
 """
 from functools import lru_cache
-from typing import Any, Optional, Tuple
+from typing import Any, List, Optional, Set, Tuple
 
 from ._command import Error
 from ._format import Format
@@ -32,14 +32,16 @@ def words(format: str = "q16_16") -> "_st.SearchStrategy[int]":
     an end to the other end. Raises Error for what is no format."""
     range_of = Format(format)
     one = max(1, int(range_of.one))
-    special = sorted({sign * value for sign in (1, -1) for value in _special(range_of, one)},
-                     key=lambda value: (abs(value), value))
+    powers = {1 << bit for bit in range(range_of.bits)}
+    special = _words_among(range_of, {0, one, one // 2, one + one // 2, *powers})
+    edges = [range_of.highest, range_of.lowest, *_words_among(range_of, {0, 1, one // 2, one})]
     near = _st.builds(lambda value, step: range_of.wrap(value + step), _st.sampled_from(special),
                       _st.integers(-_NEAR, _NEAR))
     whole = _st.builds(lambda count, step: range_of.wrap(count * one + step),
                        _st.integers(range_of.lowest // one, range_of.highest // one),
                        _st.integers(-_NEAR, _NEAR))
-    return _st.one_of(_st.integers(range_of.lowest, range_of.highest), near, whole)
+    return _st.one_of(_st.integers(range_of.lowest, range_of.highest), _st.sampled_from(edges), near,
+                      whole)
 
 
 def operands(operation: str, format: str = "q16_16",
@@ -63,6 +65,8 @@ def _known(operation: str, format: str, to: Optional[str]) -> Tuple[Tuple[Any, .
     return tuple(cases(operation, format=format, to=to, cases=_CASES))
 
 
-def _special(range_of: Format, one: int) -> Tuple[int, ...]:
-    powers = tuple(1 << bit for bit in range(range_of.bits))
-    return (0, one, one // 2, one + one // 2, range_of.highest, *powers)
+def _words_among(range_of: Format, values: Set[int]) -> List[int]:
+    """Returns the values and their negatives that are words, the smallest first."""
+    both = {sign * value for value in values for sign in (1, -1)}
+    return sorted((value for value in both if value in range_of),
+                  key=lambda value: (abs(value), value < 0))
