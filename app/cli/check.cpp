@@ -169,7 +169,8 @@ int check(const CLI::App& command, const CheckOptions& options) {
   const cases::Variant variant = variant_in(operation, options.formats);
   check::Rules rules = rules_of(command, options.rules, variant);
   const bool finds_rounding = options.rules.rounding == best_rounding && check::is_rounded(variant);
-  if (finds_rounding && !options.from.empty() && !std::filesystem::is_regular_file(options.from)) {
+  if (finds_rounding && std::filesystem::exists(options.from) &&
+      !std::filesystem::is_regular_file(options.from)) {
     throw support::UsageError(fmt::format(
         "--from {}: --rounding best reads the cases twice; name a regular file", options.from));
   }

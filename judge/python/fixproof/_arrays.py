@@ -55,10 +55,7 @@ def _lines_of(said: Any, operands: List[Any], lines: Lines, name: str) -> str:
                     f"{format.name}, such as an array of {format.dtype}")
     masked = numpy.ma.getmaskarray(results)
     words = results.filled(0)
-    # In the type of the results, because NumPy compares uint64 with a negative number as floats.
-    limits, kind = numpy.iinfo(words.dtype), words.dtype.type
-    low, high = max(format.lowest, limits.min), min(format.highest, limits.max)
-    beyond = ((words < kind(low)) | (words > kind(high))) & ~masked
+    beyond = ((words < format.lowest) | (words > format.highest)) & ~masked
     if beyond.any():
         i = int(beyond.argmax())
         word = int(words[i])

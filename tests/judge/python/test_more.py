@@ -153,7 +153,8 @@ class Wheel(unittest.TestCase):
                            (ROOT / "fixed/version.hpp").read_text(), re.M)
         name = f"fixproof-{'.'.join(parts)}-py3-none-any.whl"
         with tempfile.TemporaryDirectory() as folder:
-            shutil.copytree(ROOT / "judge/python", Path(folder, "source"))
+            shutil.copytree(ROOT / "judge/python", Path(folder, "source"),
+                            ignore=shutil.ignore_patterns("build", "*.egg-info", "__pycache__"))
             run = subprocess.run([sys.executable, "-m", "pip", "wheel", "--no-build-isolation",
                                   "--no-deps", "--no-index", "-w", folder, str(Path(folder, "source"))],
                                  capture_output=True, text=True)
