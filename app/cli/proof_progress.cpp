@@ -24,10 +24,11 @@ void ProofProgress::keep_drawing(const std::stop_token& stop) {
 
 std::string step_text(const judge::ProofStep& step, std::chrono::seconds passed) {
   const std::string what =
-      step.attempt == 0 ? "following the paths"
-                        : fmt::format("path {} of {}{}", step.path, step.paths,
-                                      step.attempt == 1 ? std::string()
-                                                        : fmt::format(", attempt {}", step.attempt));
+      step.attempt == 0
+          ? "following the paths"
+          : fmt::format(
+                "path {} of {}{}", step.path, step.paths,
+                step.attempt == 1 ? std::string() : fmt::format(", attempt {}", step.attempt));
   return fmt::format("{}, {} s", what, passed.count());
 }
 

@@ -69,10 +69,9 @@ std::string question(const Paths& paths, const Path& path, const Claim& claim,
   for (std::size_t i = 0; i < paths.operands.size(); ++i) {
     operands.push_back(terms.variable(operand_name(i), paths.operands[i].bits));
   }
-  return fmt::format(
-      "{}{}(assert {})\n(assert {})\n(assert (not {}))\n(check-sat)\n",
-      beginning(terms, roots, operands, arithmetic), claim.definitions,
-      sym::name_in_smt(terms, path.condition), in_case, right);
+  return fmt::format("{}{}(assert {})\n(assert {})\n(assert (not {}))\n(check-sat)\n",
+                     beginning(terms, roots, operands, arithmetic), claim.definitions,
+                     sym::name_in_smt(terms, path.condition), in_case, right);
 }
 
 PathAnswer ask_all(const Paths& paths, const std::function<Claim(const Path&)>& claim,
@@ -89,7 +88,8 @@ PathAnswer ask_all(const Paths& paths, const std::function<Claim(const Path&)>& 
       return result;
     };
     for (const std::string& one : claimed.cases) {
-      const proof::SolverAnswer answer = ask(question(paths, path, claimed, one, arithmetic), no_limit);
+      const proof::SolverAnswer answer =
+          ask(question(paths, path, claimed, one, arithmetic), no_limit);
       result.seconds += answer.seconds;
       if (answer.verdict == Satisfiability::unsatisfiable) continue;
       if (answer.verdict != Satisfiability::satisfiable) {
@@ -101,7 +101,8 @@ PathAnswer ask_all(const Paths& paths, const std::function<Claim(const Path&)>& 
         words.push_back(proof::word_in_model(answer.model, operand_name(i)));
       }
       if (!fails(words)) {
-        return undecided("the counterexample is right when run: it needs products or quotients that do not "
+        return undecided(
+            "the counterexample is right when run: it needs products or quotients that do not "
             "exist, or something in a register or on the stack");
       }
       result.standing = Standing::disproven;

@@ -112,9 +112,9 @@ class Prover {
                 .paths = paths_.size()});
       return claim(path);
     };
-    const PathAnswer answer = ask_all(
-        {terms_, paths_, signature_.operands}, observed, arithmetic, ask_,
-        [&](std::span<const std::uint64_t> words) { return fails(words); });
+    const PathAnswer answer =
+        ask_all({terms_, paths_, signature_.operands}, observed, arithmetic, ask_,
+                [&](std::span<const std::uint64_t> words) { return fails(words); });
     proof_.seconds += answer.seconds;
     proof_.standing = answer.standing;
     if (!answer.remark.empty()) proof_.why = answer.remark;

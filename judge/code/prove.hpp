@@ -23,8 +23,9 @@ struct RoutineProof {
 
 /// Where the solver is.
 struct ProofStep {
-  std::size_t attempt = 0;  ///< each states the result in another way; 0 while the paths are followed
-  std::size_t path = 0;     ///< from 1
+  std::size_t attempt =
+      0;                 ///< each states the result in another way; 0 while the paths are followed
+  std::size_t path = 0;  ///< from 1
   std::size_t paths = 0;
 };
 

@@ -108,7 +108,8 @@ TEST(JudgeProof, OneWrongCaseIn2To32IsFoundByTheProofAlone) {
           "\n  1234 0125 (18.203125 1.14453125): 14d5 expected, 0001 said"});
 }
 
-const std::string sums_of_two = "--bits|32|--frame|eax, ebx -> eax|--as|add|--overflow|wrap" + prove;
+const std::string sums_of_two =
+    "--bits|32|--frame|eax, ebx -> eax|--as|add|--overflow|wrap" + prove;
 
 TEST(JudgeProof, ALoopThatOnlyItsConditionEndsIsProven) {
   if (!command::has("z3")) GTEST_SKIP() << "no z3";
@@ -154,9 +155,9 @@ TEST(JudgeProof, WhatTheStackHoldsMayBeAnything) {
   if (!command::has("z3")) GTEST_SKIP() << "no z3";
   const ScratchFolder folder;
   // No case has that word there.
-  const auto depends = folder.write(
-      "depends.asm",
-      "add eax, ebx\ncmp dword [esp - 8], 0x12345678\njne right\ninc eax\nright: ret");
+  const auto depends =
+      folder.write("depends.asm",
+                   "add eax, ebx\ncmp dword [esp - 8], 0x12345678\njne right\ninc eax\nright: ret");
   expect(judge(depends, sums_of_two), 0,
          {"AGREES on 5,000 cases", "NOT PROVEN", "the counterexample is right when run"});
   const auto cancels = folder.write(
@@ -177,8 +178,7 @@ TEST(JudgeProof, OneWrongPairIn2To64IsFoundByTheProofAlone) {
          {"AGREES on 5,000 cases", "DISPROVEN (1 path",
           "\n  12345678 9abcdef0 (4660.33777 -25923.12915): 93d6242d expected, 93d6242e said"});
   const auto quotient = folder.write(
-      "quotient.asm",
-      is_pair + "cdq\nshld edx, eax, 16\nshl eax, 16\nidiv ebx\nadd eax, ecx\nret");
+      "quotient.asm", is_pair + "cdq\nshld edx, eax, 16\nshl eax, 16\nidiv ebx\nadd eax, ecx\nret");
   const std::string divides = "--bits|32|--frame|eax, ebx -> eax|--as|div" + prove;
   for (const char* const rules : {"|--rule|build", "|--rounding|toward-zero|--overflow|any"}) {
     expect(judge(quotient, divides + rules), 1,
@@ -193,12 +193,14 @@ TEST(JudgeProof, ATerminalShowsThePathWhileASolverWorks) {
   const ScratchFolder folder;
   // Takes a second for the question about the routine, and none for the test questions.
   const auto slow = folder.write(
-      "z3", "#!/bin/sh\nPATH=${PATH#*:}\ncase \"$*\" in *-in*) ;; *) exec z3 \"$@\" ;; esac\n"
-            "text=$(cat)\ncase $text in *sfault128*) sleep 1 ;; esac\n"
-            "printf '%s\\n' \"$text\" | exec z3 \"$@\"\n");
+      "z3",
+      "#!/bin/sh\nPATH=${PATH#*:}\ncase \"$*\" in *-in*) ;; *) exec z3 \"$@\" ;; esac\n"
+      "text=$(cat)\ncase $text in *sfault128*) sleep 1 ;; esac\n"
+      "printf '%s\\n' \"$text\" | exec z3 \"$@\"\n");
   std::filesystem::permissions(slow, std::filesystem::perms::owner_all);
   const auto shown = command::run(
-      {"sh", "-c", R"(PATH=$1:$PATH script -qefc "$2 judge $3 --bits 32 --as mul --frame 'eax, ebx -> eax' --cases 1000 --prove" /dev/null)",
+      {"sh", "-c",
+       R"(PATH=$1:$PATH script -qefc "$2 judge $3 --bits 32 --as mul --frame 'eax, ebx -> eax' --cases 1000 --prove" /dev/null)",
        "sh", folder.path(""), paths::command(), routine("mul")});
   command::expect_contains(shown.out, "\rpath 1 of 1, 0 s\x1b[K");
   command::expect_contains(shown.out, "PROVEN for all operands");
