@@ -50,9 +50,6 @@ Image image_of(const std::string& code, int bits) {
   return image;
 }
 
-std::size_t count_of_registers(const Image& image) {
-  return image.bits == 64 ? register_count : x86model::register_count;
-}
 std::uint32_t top_of(const Image& image) {
   return image.stack_top - static_cast<std::uint32_t>(image.bits / 8);
 }
@@ -62,7 +59,7 @@ class Model {
  public:
   /// @throws Obstacle if it is not modelled
   Model(const Image& image, bool knows_flags) : image_(image) {
-    for (std::size_t r = 0; r < count_of_registers(image); ++r) {
+    for (std::size_t r = 0; r < registers_of(image); ++r) {
       state_.registers.at(r) = terms_.variable(sym::numbered("r", r), image.bits);
     }
     state_.registers[sp] = terms_.constant(top_of(image), image.bits);
@@ -90,12 +87,12 @@ class Model {
   [[nodiscard]] const Decoded& last() const { return decoded_; }
   /// With the number of their operands.
   [[nodiscard]] const Mnemonics& instructions() const { return instructions_; }
-  [[nodiscard]] std::size_t registers() const { return count_of_registers(image_); }
+  [[nodiscard]] std::size_t registers() const { return registers_of(image_); }
   [[nodiscard]] sym::FlagTerms& known_flags() { return state_.flags; }
   [[nodiscard]] const std::set<std::string>& functions() const { return functions_; }
 
   void set(const Registers& before) {
-    for (std::size_t r = 0; r < count_of_registers(image_); ++r) {
+    for (std::size_t r = 0; r < registers_of(image_); ++r) {
       evaluation_->set(sym::numbered("r", r), before.general.at(r));
     }
     for (const auto& [flag, name] : flags) {
@@ -149,7 +146,7 @@ std::uint64_t random_word(std::mt19937_64& random) {
 
 Registers random_state(std::mt19937_64& random, const Image& image) {
   Registers state;
-  for (std::size_t r = 0; r < count_of_registers(image); ++r) {
+  for (std::size_t r = 0; r < registers_of(image); ++r) {
     const std::uint64_t word = random_word(random);
     state.general.at(r) = image.bits == 64 ? word : word & 0xFFFFFFFFU;
   }
