@@ -44,7 +44,9 @@ class Function {
     Registers registers;
     // Registers that hold no operand, and the bits above one, may hold anything.
     cases::Draw noise(0x5eed, calls_++);
-    for (std::uint64_t& general : registers.general) general = noise.bits();
+    for (std::uint64_t& general : std::span(registers.general).first(register_count)) {
+      general = noise.bits();
+    }
     for (std::size_t i = 0; i < operands.size(); ++i) {
       const Parameter& p = signature_.operands[i];
       std::uint64_t value = operands[i];
