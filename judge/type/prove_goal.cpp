@@ -89,7 +89,8 @@ class Prover {
 
   GoalProof prove() {
     Listing listing(image_);
-    SymbolicRun run = run_symbolically(image_, frame_, goal_.signature, listing, terms_);
+    SymbolicRun run = run_symbolically(image_, frame_, goal_.signature, listing, terms_,
+                                       may_hold(terms_, ask_, proof_.seconds));
     proof_.why = run.obstacle;
     if (!run.obstacle.empty()) return proof_;
     paths_ = std::move(run.paths);
