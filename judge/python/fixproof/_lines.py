@@ -40,7 +40,10 @@ class Lines:
         if self.operation == "from_decimal":
             return _printed(operands[0], f"operands {operands}:")
         if self.operation == "from_binary64":
-            return struct.pack(">d", operands[0]).hex()
+            try:
+                return struct.pack(">d", operands[0]).hex()
+            except struct.error:
+                raise Error(f"operands {operands}: {operands[0]!r} is no float; write one") from None
         return " ".join(self._hex(self._index(word, self.operands, f"operands {operands}: {word!r}"),
                                   self.operands) for word in operands)
 
