@@ -171,7 +171,7 @@ Image image_of(const std::string& path, const std::string& bytes, const LoadOpti
       throw UsageError(fmt::format("--bits {}: the ELF file has {}-bit code; leave --bits out",
                                    image.bits, *bits));
     }
-    load_elf(image, bytes);
+    load_elf(image, bytes, options.is_linked);
   } else if (bytes.starts_with("MZ")) {
     if (options.bits == 32) throw UsageError("--bits 32: a DOS .EXE has 16-bit code");
     load_exe(image, bytes);
@@ -264,7 +264,9 @@ Image load(const std::string& path, const LoadOptions& options) {
     if (is_c && !bytes.starts_with("\177ELF")) {
       throw UsageError("the compiler does not write ELF objects; choose another with $CC or $CXX");
     }
-    return entered(image_of(path, bytes, options), options);
+    LoadOptions linked = options;
+    linked.is_linked = true;
+    return entered(image_of(path, bytes, linked), options);
   });
 }
 

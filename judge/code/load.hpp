@@ -19,6 +19,8 @@ struct LoadOptions {
   /// an object.
   std::string at{};
   std::string symbol{};
+  /// Whether the toolchain's linker adds what compilers call. load() always does so.
+  bool is_linked = false;
 };
 
 /// A place as `--at` has it.
@@ -59,7 +61,8 @@ void place_stack_of_exe(Image& image);
 std::optional<int> bits_of_elf(std::string_view bytes);
 /// Loads an object, a program or a shared library.
 /// @pre image.bits is 64 if and only if bits_of_elf() says so
-void load_elf(Image& image, const std::string& bytes);
+/// @param is_linked as in LoadOptions; without it, an object of another processor is refused
+void load_elf(Image& image, const std::string& bytes, bool is_linked);
 /// Returns the width that a source states before its first instruction, with BITS or USE.
 std::optional<int> bits_of_source(const std::string& path);
 /// Assembles a source with nasm, which must be on the PATH.

@@ -233,16 +233,18 @@ class Object {
 
 }  // namespace
 
-void load_elf(Image& image, const std::string& bytes) {
+void load_elf(Image& image, const std::string& bytes, bool is_linked) {
   const bool is_other = image.architecture != nullptr;
   elf::File file(bytes, image.bits == 64, image.is_big_endian(), is_other);
   switch (file.kind()) {
     case ET_REL: {
       if (is_other) {
-        load_elf(image, linked_object(image, bytes));
+        if (!is_linked) throw UsageError("the object is not linked");
+        load_elf(image, linked_object(image, bytes), is_linked);
         image.container = object_container;
         return keep_symbols_of(image, bytes);
       }
+      if (!is_linked) return Object(image, file).load();
       const std::string whole = with_library_functions(bytes, image.bits);
       elf::File all(whole, image.bits == 64);
       Object(image, all).load();

@@ -149,6 +149,13 @@ class Linked {
     while (segments_.back().address - first > max_code_bytes) {
       const Segment s = segments_.back();
       segments_.pop_back();
+      const bool shares_page =
+          !image_.regions.empty() &&
+          image_.regions.back().address / page <= (s.address + s.memory_bytes - 1) / page;
+      if (shares_page)
+        throw UsageError(
+            "two parts of the ELF file share a page of memory; give "
+            "the object of the routine from before linking");
       bytes += s.memory_bytes;
       if (bytes > max_code_bytes || s.address + s.memory_bytes > all_addresses) {
         throw UsageError(
@@ -169,7 +176,7 @@ class Linked {
     if (is_other()) std::ranges::stable_sort(segments_, {}, &Segment::address);
     expect_order();
     const std::uint64_t first = segments_.front().address / page * page;
-    if (is_other()) place_far_segments(first);
+    if (is_other() && file_.kind() == ET_EXEC) place_far_segments(first);
     const std::uint64_t end = segments_.back().address + segments_.back().memory_bytes;
     if (end - first > max_code_bytes) {
       throw UsageError(fmt::format(
