@@ -18,6 +18,8 @@ namespace {
 
 /// Nearly every condition is decided in hundredths of a second.
 constexpr int seconds_of_condition = 2;
+/// After so many seconds, every condition may hold: the routine has a long loop.
+constexpr double seconds_of_conditions = 5;
 constexpr int no_limit = std::numeric_limits<int>::max();
 
 /// Declares all that `roots` depend on and `variables`, and defines the roots.
@@ -33,8 +35,9 @@ std::string beginning(sym::Terms& terms, const std::vector<sym::Term>& roots,
 }  // namespace
 
 MayHold may_hold(sym::Terms& terms, const Ask& ask, double& seconds) {
-  return [&](sym::Term condition) {
+  return [&, before = seconds](sym::Term condition) {
     if (terms.is_constant(condition)) return terms.value(condition) != 0;
+    if (seconds - before > seconds_of_conditions) return true;
     const proof::SolverAnswer answer =
         ask(fmt::format("{}(assert {})\n(check-sat)\n",
                         beginning(terms, {condition}, {}, proof::Arithmetic::abstract),

@@ -28,7 +28,7 @@ struct Paths {
 };
 
 /// Returns what tells whether operands satisfy a condition, under abstract arithmetic: it asks for
-/// a short time.
+/// a short time, and no more after a few seconds in all.
 /// @param terms,ask,seconds must outlive the result, which adds the time that the solver takes
 MayHold may_hold(x86model::symbolic::Terms& terms, const Ask& ask, double& seconds);
 
