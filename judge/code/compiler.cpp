@@ -134,8 +134,9 @@ std::vector<std::string> libraries_of(const std::string& compiler, bool is_thumb
   // A Cortex-M runs Thumb code only, although the linker adds any. All run that of a Cortex-M0.
   if (is_thumb) {
     for (const std::string_view part : {"/thumb/", "/v6-m/"}) {
-      std::ranges::stable_partition(
-          paths, [&](const std::string& path) { return path.find(part) != std::string::npos; });
+      std::stable_partition(paths.begin(), paths.end(), [&](const std::string& path) {
+        return path.find(part) != std::string::npos;
+      });
     }
   }
   return paths;

@@ -21,13 +21,13 @@ namespace fixproof::judge {
 namespace {
 
 #if defined(__x86_64__)
-constexpr std::uint32_t architecture = AUDIT_ARCH_X86_64;
+constexpr std::uint32_t audited_architecture = AUDIT_ARCH_X86_64;
 #elif defined(__aarch64__)
-constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
+constexpr std::uint32_t audited_architecture = AUDIT_ARCH_AARCH64;
 #elif defined(__i386__)
-constexpr std::uint32_t architecture = AUDIT_ARCH_I386;
+constexpr std::uint32_t audited_architecture = AUDIT_ARCH_I386;
 #else
-constexpr std::uint32_t architecture = 0;
+constexpr std::uint32_t audited_architecture = 0;
 #endif
 /// The offset of the low half of an argument.
 constexpr std::size_t low_half = std::endian::native == std::endian::little ? 0 : 4;
@@ -122,10 +122,10 @@ void allow_only_computing(Calls calls, int in, int out) {
   if (calls == Calls::fewest) set(PR_SET_TSC, PR_TSC_SIGSEGV, 0);
 #endif
   std::vector<sock_filter> filter;
-  if (architecture != 0) {
+  if (audited_architecture != 0) {
     // Calls of another mode, such as INT 80h in a 64-bit process, have other numbers.
     filter.push_back(load(offsetof(seccomp_data, arch)));
-    filter.push_back(jump(BPF_JEQ, architecture, 1, 0));
+    filter.push_back(jump(BPF_JEQ, audited_architecture, 1, 0));
     filter.push_back(statement(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS));
   }
   filter.push_back(load(offsetof(seccomp_data, nr)));
