@@ -18,21 +18,6 @@ std::string text_of_said(Said said, const cases::Format& format) {
   return said ? hex_text(*said, format) : std::string("DE");
 }
 
-/// Returns the words in hex and, in parentheses, their values; the operand of a conversion
-/// likewise.
-std::string text_of_operands(const JudgedCase& one, const Rules& rules) {
-  if (one.valued) return text_of(*one.valued, rules.variant);
-  std::string hex;
-  std::string decimal;
-  const auto values = one.values().words();
-  for (std::size_t i = 0; i < cases::words_in(rules.variant.operation); ++i) {
-    const std::string_view space = hex.empty() ? "" : " ";
-    hex += fmt::format("{}{}", space, hex_text(one.words.at(i), rules.variant.format));
-    decimal += fmt::format("{}{}", space, decimal_text(values[i], rules.variant.format));
-  }
-  return fmt::format("{} ({})", hex, decimal);
-}
-
 std::string table_line(std::string_view name, KindTally all, KindTally negative) {
   return fmt::format("{:<16} {:>13} {:>12}  {:>13} {:>12}\n", name, support::grouped(all.cases),
                      support::grouped(all.wrong), support::grouped(negative.cases),
@@ -86,6 +71,19 @@ std::string common_text(const Judge& judge) {
 }
 
 }  // namespace
+
+std::string text_of_operands(const JudgedCase& one, const Rules& rules) {
+  if (one.valued) return text_of(*one.valued, rules.variant);
+  std::string hex;
+  std::string decimal;
+  const auto values = one.values().words();
+  for (std::size_t i = 0; i < cases::words_in(rules.variant.operation); ++i) {
+    const std::string_view space = hex.empty() ? "" : " ";
+    hex += fmt::format("{}{}", space, hex_text(one.words.at(i), rules.variant.format));
+    decimal += fmt::format("{}{}", space, decimal_text(values[i], rules.variant.format));
+  }
+  return fmt::format("{} ({})", hex, decimal);
+}
 
 std::string text_of(const JudgedCase& one, const Rules& rules) {
   const cases::Operation operation = rules.variant.operation;
