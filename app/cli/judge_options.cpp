@@ -32,10 +32,10 @@ void expect_effects(const CLI::App& command) {
   if (command.count("--run") > 0 && command.count("file") > 0) {
     throw support::UsageError("--run and a file both name what to judge; leave one out");
   }
-  expect_only(command, "--run",
-              {"--as", "--format", "--to", "--terms", "--rounding", "--within", "--overflow",
-               "--no-result", "--rule", "--level", "--seed", "--shard", "--cases", "--show",
-               "--processes", "--timeout"});
+  expect_only(
+      command, "--run",
+      {"--as", "--format", "--to", "--terms", "--rounding", "--within", "--overflow", "--no-result",
+       "--rule", "--level", "--seed", "--shard", "--cases", "--show", "--processes", "--timeout"});
   if (command.count("--run") > 0) return;
   if (command.count("--timeout") > 0 && command.count("--prove") == 0) {
     throw support::UsageError("--timeout applies only to --prove and --run; leave it out");

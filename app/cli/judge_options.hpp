@@ -16,7 +16,7 @@ namespace fixproof::cli {
 /// What --run takes besides.
 struct RunOptions {
   std::string program;  ///< a command of the shell
-  std::string to;  ///< the format of the results; empty if it is that of the words
+  std::string to;       ///< the format of the results; empty if it is that of the words
   std::size_t terms = cases::Variant{}.terms;
   std::string within;
   std::size_t processes = 0;  ///< 0: as many as pay

@@ -62,8 +62,7 @@ std::string fix_of(const program::Failure& failure) {
 
 std::string event_text(const program::Failure& failure) {
   if (!failure.fault) {
-    return fmt::format("writes {}, which is no result: {}", support::quoted(failure.said),
-                       failure.defect);
+    return fmt::format("writes no result: {}; begin any other line with #", failure.defect);
   }
   const program::Fault& fault = *failure.fault;
   switch (fault.kind) {
@@ -104,9 +103,11 @@ void expect_started(const program::Verdict& verdict, const std::string& command)
   if (!verdict.failure || !verdict.failure->fault || !verdict.failure->fault->ending) return;
   const program::Fault& fault = *verdict.failure->fault;
   if (fault.ending->status != not_found && fault.ending->status != cannot_run) return;
-  throw support::UsageError(fmt::format("--run {}: the shell cannot run it: {}",
-                                        support::quoted(command),
-                                        support::printable(fault.error)));
+  const std::string said = fault.error.empty() ? "" : ": " + support::printable(fault.error);
+  throw support::UsageError(
+      fmt::format("--run {}: the shell cannot run it{}; give a command that "
+                  "runs in this folder, such as './mine'",
+                  support::quoted(command), said));
 }
 
 }  // namespace
@@ -120,8 +121,8 @@ int judge_program(const JudgeOptions& options, const CLI::App& command) {
       .rules = rules_of(options, variant),
       .cases = options.cases,
       .shown = options.shown,
-      .silence = std::chrono::seconds(
-          command.count("--timeout") > 0 ? options.solver.seconds : seconds_of_silence),
+      .silence = std::chrono::seconds(command.count("--timeout") > 0 ? options.solver.seconds
+                                                                     : seconds_of_silence),
       .progress = [&](std::uint64_t done, std::uint64_t all) {
         if (!progress) progress.emplace(all, "cases");
         progress->show(done);
@@ -143,11 +144,10 @@ int judge_program(const JudgeOptions& options, const CLI::App& command) {
     return 1;
   }
   if (has_verdict) {
-    std::cout << fmt::format("{} case{} in {} process{} in {}\n",
-                             support::grouped(verdict.judge->cases()),
-                             verdict.judge->cases() == 1 ? "" : "s", verdict.processes,
-                             verdict.processes == 1 ? "" : "es",
-                             support::duration(verdict.seconds));
+    std::cout << fmt::format(
+        "{} case{} in {} process{} in {}\n", support::grouped(verdict.judge->cases()),
+        verdict.judge->cases() == 1 ? "" : "s", verdict.processes,
+        verdict.processes == 1 ? "" : "es", support::duration(verdict.seconds));
     if (verdict.unsteady) {
       std::cout << fmt::format(
           "UNSTEADY: for {} the result differs from run to run: the program keeps something from "

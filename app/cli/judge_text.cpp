@@ -209,11 +209,11 @@ std::string whole_text(const judge::Subject& subject, const judge::WholeVerdict&
 
 std::string instructions_text(const judge::Inspection& inspection) {
   if (inspection.calls == 0) return {};
-  return fmt::format("instructions of a call: {} to {}, on average {:.1f}\n",
-                     support::grouped(inspection.least_instructions),
-                     support::grouped(inspection.most_instructions),
-                     static_cast<double>(inspection.instructions) /
-                         static_cast<double>(inspection.calls));
+  return fmt::format(
+      "instructions of a call: {} to {}, on average {:.1f}\n",
+      support::grouped(inspection.least_instructions),
+      support::grouped(inspection.most_instructions),
+      static_cast<double>(inspection.instructions) / static_cast<double>(inspection.calls));
 }
 
 std::string inspection_text(const judge::Inspection& inspection, bool is_x86) {

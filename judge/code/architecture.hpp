@@ -64,7 +64,7 @@ struct Architecture {
   std::string_view kept;         ///< preserved by a call, as is the stack pointer
   std::array<BaseRegister, 2> bases{};
   Above above = Above::extension;
-  bool has_even_pairs = false;  ///< a number of two registers begins in one with an even place
+  bool has_even_pairs = false;       ///< a number of two registers begins in one with an even place
   std::uint32_t first_on_stack = 0;  ///< bytes from the stack pointer to the first argument there
   // The toolchains of Debian whose linker and libgcc fit, and the package of the first.
   std::array<std::string_view, 3> toolchains{};

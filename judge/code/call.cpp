@@ -76,8 +76,7 @@ void Call::push_parameter(std::uint8_t* memory, std::size_t index,
 void Call::load_registers(Registers& registers, std::span<const std::uint32_t> words) const {
   for (std::size_t i = 0; i < frame_.in.size(); ++i) {
     const Place& place = frame_.in[i];
-    std::uint64_t value =
-        place.is_pointer ? operands_.place(i) : operands_.value(i, words);
+    std::uint64_t value = place.is_pointer ? operands_.place(i) : operands_.value(i, words);
     for (std::size_t part = place.parts.size(); part-- > 0;) {
       const int bits = bits_of(place.parts[part]);
       registers.write(place.parts[part], value);
@@ -136,7 +135,8 @@ RegisterMask Call::broken(const Registers& left) const {
   for (const RegisterName& name : frame_.kept) {
     if (left.read(name) != entered_.read(name)) mask |= RegisterMask{1} << name.holder();
   }
-  if (left.read(whole_register(sp_number, image_.bits)) != popped_) mask |= RegisterMask{1} << sp_number;
+  if (left.read(whole_register(sp_number, image_.bits)) != popped_)
+    mask |= RegisterMask{1} << sp_number;
   constexpr machine_code::X87 fresh;
   if ((left.flags & direction_flag) != 0) mask |= sets_direction;
   if (left.x87.tags != fresh.tags) mask |= fills_x87;

@@ -7,9 +7,9 @@
 #include <span>
 
 #include "judge/code/bytes.hpp"
+#include "judge/code/call_operands.hpp"
 #include "judge/code/frame.hpp"
 #include "judge/code/image.hpp"
-#include "judge/code/call_operands.hpp"
 #include "verify/cases/draw.hpp"
 #include "verify/machine_code/x87.hpp"
 #include "x86model/flags.hpp"

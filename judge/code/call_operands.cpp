@@ -40,7 +40,8 @@ CallOperands::CallOperands(const Image& image, const cases::Variant& variant)
   }
 }
 
-std::uint64_t CallOperands::value(std::size_t parameter, std::span<const std::uint32_t> words) const {
+std::uint64_t CallOperands::value(std::size_t parameter,
+                                  std::span<const std::uint32_t> words) const {
   const Parameter& p = parameters_[parameter];
   const std::size_t index = first_words_[parameter];
   if (p.bits > 32) return words[index] | std::uint64_t{words[index + 1]} << 32U;
@@ -60,7 +61,7 @@ std::size_t CallOperands::index_of(std::size_t parameter, std::size_t number) co
 }
 
 void CallOperands::put(std::uint8_t* memory, std::span<const std::uint32_t> words,
-                   cases::Draw& draw) const {
+                       cases::Draw& draw) const {
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
     const Parameter& p = parameters_[i];
     if (!p.is_pointer) continue;

@@ -46,9 +46,7 @@ std::string variable(const char* name, const char* otherwise) {
   return value != nullptr && *value != '\0' ? value : otherwise;
 }
 
-bool exists(const std::string& program) {
-  return !boost::process::search_path(program).empty();
-}
+bool exists(const std::string& program) { return !boost::process::search_path(program).empty(); }
 
 /// Names of functions and variables that an object uses and does not have, or has.
 enum class Names { missing, own };
@@ -61,7 +59,8 @@ std::set<std::string> names_in(const std::string& object, const Image& image, Na
     for (std::uint64_t i = 0; i < file.symbols_in(table); ++i) {
       const elf::Symbol symbol = file.symbol_at(table, i);
       const bool is_missing = symbol.section == SHN_UNDEF;
-      if (symbol.name == 0 || symbol.binding == STB_LOCAL || is_missing != (which == Names::missing))
+      if (symbol.name == 0 || symbol.binding == STB_LOCAL ||
+          is_missing != (which == Names::missing))
         continue;
       if (is_missing && symbol.binding == STB_WEAK) continue;
       names.insert(file.name_of(table, symbol));
@@ -126,7 +125,8 @@ std::vector<std::string> libraries_of(const std::string& compiler, bool is_thumb
     std::vector<std::string> command;
     const std::size_t end = line.find(';');
     if (end == std::string::npos) continue;
-    for (const std::string_view option : support::split(std::string_view(line).substr(end + 1), '@')) {
+    for (const std::string_view option :
+         support::split(std::string_view(line).substr(end + 1), '@')) {
       if (!option.empty()) command.push_back(fmt::format("-{}", option));
     }
     if (!command.empty()) add(command);
@@ -179,8 +179,8 @@ std::string script_of(const std::map<std::string, std::uint32_t>& missing) {
       return std::isalnum(c) != 0 || c == '_' || c == '.' || c == '$';
     });
     if (!is_plain) {
-      throw UsageError(fmt::format("the object uses {}, which it does not have",
-                                   support::quoted(name)));
+      throw UsageError(
+          fmt::format("the object uses {}, which it does not have", support::quoted(name)));
     }
     script += fmt::format("\"{}\" = 0x{:x};\n", name, address);
   }
@@ -267,8 +267,9 @@ std::string compiled_source(const std::string& path) {
   const std::string object = folder.file("source.o");
   // A variable may hold options, too, as make has it.
   std::vector<std::string> command;
-  for (const std::string& words : {is_cxx ? variable("CXX", "c++") : variable("CC", "cc"),
-                                   is_cxx ? variable("CXXFLAGS", "-O2") : variable("CFLAGS", "-O2")}) {
+  for (const std::string& words :
+       {is_cxx ? variable("CXX", "c++") : variable("CC", "cc"),
+        is_cxx ? variable("CXXFLAGS", "-O2") : variable("CFLAGS", "-O2")}) {
     for (const std::string_view word : support::split(words, ' ')) {
       if (!word.empty()) command.emplace_back(word);
     }
@@ -289,8 +290,9 @@ std::string linked_object(Image& image, const std::string& object) {
     if (name.empty() || !exists(tools.linker)) continue;
     std::string whole = object;
     if (needs_library(names_in(object, image, Names::missing))) {
-      whole = with_library(tools, object, libraries_of(tools.compiler, is_thumb(object, image)), image)
-                  .value_or(object);
+      whole =
+          with_library(tools, object, libraries_of(tools.compiler, is_thumb(object, image)), image)
+              .value_or(object);
     }
     const auto missing = places_of_missing(image, names_in(whole, image, Names::missing));
     const ToolFile script(script_of(missing));
@@ -310,9 +312,8 @@ std::string with_library_functions(const std::string& object, int bits) {
   Image image;
   image.bits = bits;
   if (bits == 16 || !needs_library(names_in(object, image, Names::missing))) return object;
-  const Toolchain tools{.linker = "ld",
-                        .compiler = "gcc",
-                        .linked_as = bits == 64 ? "elf_x86_64" : "elf_i386"};
+  const Toolchain tools{
+      .linker = "ld", .compiler = "gcc", .linked_as = bits == 64 ? "elf_x86_64" : "elf_i386"};
   if (!exists(tools.linker)) return object;
   const auto libraries = libraries_of(tools.compiler, false, {bits == 64 ? "-m64" : "-m32"});
   return with_library(tools, object, libraries, image).value_or(object);

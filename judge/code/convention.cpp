@@ -76,9 +76,9 @@ class Named {
   [[nodiscard]] std::size_t number_of(std::string_view name) const {
     const auto found = file_.find(name);
     if (found && name != architecture_.stack_pointer) return *found;
-    throw UsageError(fmt::format("--frame: {} is not a register for operands on {}; choose one of {}",
-                                 support::quoted(name), architecture_.name,
-                                 fmt::join(file_.names, ", ")));
+    throw UsageError(
+        fmt::format("--frame: {} is not a register for operands on {}; choose one of {}",
+                    support::quoted(name), architecture_.name, fmt::join(file_.names, ", ")));
   }
 
   /// @param taken the registers of the places before it, and after it those of this place, too
@@ -88,8 +88,7 @@ class Named {
     for (const std::string_view name : text.parts) {
       const std::size_t number = number_of(name);
       if ((taken >> number & 1U) != 0) {
-        throw UsageError(
-            fmt::format("--frame: {} is named twice; choose another register", name));
+        throw UsageError(fmt::format("--frame: {} is named twice; choose another register", name));
       }
       taken |= std::uint64_t{1} << number;
       passing.parts.push_back({true, number});
@@ -129,10 +128,11 @@ Convention convention_of_c(const Architecture& architecture, std::span<const Par
   convention.stack_bytes = places.stack();
   if (result_bits == 0) return convention;
   const auto results = file.all(architecture.results);
-  const auto words = static_cast<std::size_t>(words_of({.bits = result_bits}, architecture.word_bits()));
+  const auto words =
+      static_cast<std::size_t>(words_of({.bits = result_bits}, architecture.word_bits()));
   if (words > results.size()) {
-    throw UsageError(fmt::format("--frame c: {} returns no number of {} bits", architecture.name,
-                                 result_bits));
+    throw UsageError(
+        fmt::format("--frame c: {} returns no number of {} bits", architecture.name, result_bits));
   }
   Passing out;
   for (std::size_t i = 0; i < words; ++i) out.parts.push_back({true, results[i]});
@@ -144,13 +144,12 @@ Convention convention_of_c(const Architecture& architecture, std::span<const Par
 Convention convention_of_registers(const Architecture& architecture, const FrameText& text,
                                    std::span<const Parameter> parameters, int result_bits) {
   const Named named(architecture);
-  Convention convention{.kept = named.mask(text.kept),
-                        .stack_bytes = architecture.first_on_stack};
+  Convention convention{.kept = named.mask(text.kept), .stack_bytes = architecture.first_on_stack};
   const std::size_t results = result_bits > 0 ? 1 : 0;
   if (text.in.size() != parameters.size() || text.out.size() != results) {
-    throw UsageError(fmt::format(
-        "--frame: name {} place{} before -> and {} after it", parameters.size(),
-        parameters.size() == 1 ? "" : "s", results == 0 ? "none" : "one"));
+    throw UsageError(fmt::format("--frame: name {} place{} before -> and {} after it",
+                                 parameters.size(), parameters.size() == 1 ? "" : "s",
+                                 results == 0 ? "none" : "one"));
   }
   std::uint64_t taken = 0;
   for (std::size_t i = 0; i < parameters.size(); ++i) {

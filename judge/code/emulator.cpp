@@ -38,10 +38,7 @@ constexpr std::size_t max_emulated_steps = 100'000;
 class Emulator final : public Machine {
  public:
   Emulator(const Image& image, Trace* trace)
-      : image_(image),
-        trace_(trace),
-        memory_(image),
-        engine_(UC_ARCH_X86, mode_of(image.bits)) {
+      : image_(image), trace_(trace), memory_(image), engine_(UC_ARCH_X86, mode_of(image.bits)) {
     memory()[image.index_of(image.code_at(image.exit))] = 0x90;  // NOP, for the hook
     check(uc_mem_map_ptr(engine_.get(), image.base, memory_.size(), UC_PROT_ALL, memory()),
           "memory");
@@ -183,7 +180,8 @@ class Emulator final : public Machine {
     list(written);
     written.values.front() = 2U | registers.flags;  // bit 1 is always set
     std::copy(registers.general.begin(), registers.general.end(), written.values.begin() + 1);
-    check(uc_reg_write_batch(engine_.get(), written.numbers.data(), written.places.data(), written.count),
+    check(uc_reg_write_batch(engine_.get(), written.numbers.data(), written.places.data(),
+                             written.count),
           "registers");
   }
 

@@ -13,7 +13,6 @@ std::unique_ptr<Machine> make_emulator(const Image& /*image*/, Trace* /*trace*/)
   throw std::logic_error(absence_on_unicorn());
 }
 
-
 std::unique_ptr<Caller> make_caller_elsewhere(const Subject& /*subject*/, Trace* /*trace*/) {
   throw std::logic_error(absence_on_unicorn());
 }

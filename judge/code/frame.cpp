@@ -238,8 +238,7 @@ Frame frame_for(const Image& image, std::string_view text, const cases::Variant&
   const int result_bits = bits_of_returned(variant);
   Frame frame{.text = std::string(text), .on_stack = false};
   if (const auto parts = frame_text(text)) {
-    frame.elsewhere =
-        convention_of_registers(*image.architecture, *parts, parameters, result_bits);
+    frame.elsewhere = convention_of_registers(*image.architecture, *parts, parameters, result_bits);
   } else if (text == "c") {
     frame.elsewhere = convention_of_c(*image.architecture, parameters, result_bits);
   } else {

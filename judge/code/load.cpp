@@ -160,9 +160,9 @@ Image image_of(const std::string& path, const std::string& bytes, const LoadOpti
         image.architecture != nullptr ? image.architecture->word_bits() : bits_of_elf(bytes);
     if (!bits) {
       const std::string others = names_of_architectures();
-      throw UsageError(
-          fmt::format("the ELF file is for none of the processors that judge runs: i386, x86-64{}{}",
-                      others.empty() ? "; others need Unicorn" : ", ", others));
+      throw UsageError(fmt::format(
+          "the ELF file is for none of the processors that judge runs: i386, x86-64{}{}",
+          others.empty() ? "; others need Unicorn" : ", ", others));
     }
     // An object for the i386 may have 16-bit code.
     image.bits = options.bits.value_or(*bits);

@@ -151,8 +151,9 @@ class Linked {
       segments_.pop_back();
       bytes += s.memory_bytes;
       if (bytes > max_code_bytes || s.address + s.memory_bytes > all_addresses) {
-        throw UsageError("the ELF file has more than 1 MiB of data far from its code, or above "
-                         "4 GiB; give the object of the routine from before linking");
+        throw UsageError(
+            "the ELF file has more than 1 MiB of data far from its code, or above "
+            "4 GiB; give the object of the routine from before linking");
       }
       Region region{.address = static_cast<std::uint32_t>(s.address), .bytes = {}};
       region.bytes.assign(s.memory_bytes, 0);

@@ -61,8 +61,7 @@ std::string bytes_of(std::span<const std::uint32_t> words) {
 /// Serves batches: a request has the words of the cases, and the reply has their answers.
 Confined::Serve serve_batches(const Subject& subject, On on, Confined::Steps& steps) {
   const std::shared_ptr<Caller> caller = make_caller(subject, on, nullptr);
-  return [caller, &subject, &steps, number = std::uint64_t{0},
-          room = std::vector<std::uint32_t>(),
+  return [caller, &subject, &steps, number = std::uint64_t{0}, room = std::vector<std::uint32_t>(),
           answers = std::vector<Answer>()](std::string_view request) mutable {
     read_as(request, room);
     const std::span<const std::uint32_t> words = room;
@@ -103,8 +102,8 @@ namespace {
 
 bool is_possible(const Answer& answer, std::size_t register_count) {
   const RegisterMask registers = (RegisterMask{1} << register_count) - 1;
-  const RegisterMask broken = registers | Call::sets_direction | Call::fills_x87 | Call::controls_x87 |
-                          Call::moves_segments;
+  const RegisterMask broken = registers | Call::sets_direction | Call::fills_x87 |
+                              Call::controls_x87 | Call::moves_segments;
   return answer.ending.end <= End::fault && (answer.broken & ~broken) == 0 &&
          (answer.changed & ~registers) == 0;
 }

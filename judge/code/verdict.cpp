@@ -86,7 +86,8 @@ check::JudgedCase judged_case(const cases::Variant& variant, std::span<const std
 Verdict judge_routine(const Subject& subject, const VerdictOptions& options) {
   VerdictOptions used = options;
   if (options.rounding_is_open) {
-    used.cases.cases = std::min(options.cases.cases.value_or(check::cases_for_guess), check::cases_for_guess);
+    used.cases.cases =
+        std::min(options.cases.cases.value_or(check::cases_for_guess), check::cases_for_guess);
     used.progress = {};
     Judging guess{subject, used};
     guess.verdict.rules = options.rules;

@@ -60,33 +60,35 @@ std::optional<std::string_view> Relay::next() {
       shares_.push_back(std::make_unique<Share>(options_.command));
     }
   }
-  while (!fault_) {
-    if (taken_ == given_ && !has_more_) {
-      finish();
-      break;
+  for (;;) {
+    if (taken_ < given_ && owners_.front()->has_result()) {
+      take_line(*owners_.front());
+      if (++taken_ % cases_of_block == 0) owners_.pop_front();
+      return line_;
     }
+    if (fault_) return std::nullopt;
     if (taken_ < given_) {
-      Share& share = *owners_.front();
-      if (share.has_result()) {
-        const std::size_t end = share.lines.find('\n', share.read);
-        line_.assign(share.lines, share.read, end - share.read);
-        share.read = end + 1;
-        // What was returned is dropped in large pieces.
-        constexpr std::size_t piece = 1U << 16U;
-        if (share.read > piece && share.read > share.lines.size() / 2) {
-          share.lines.erase(0, share.read);
-          share.read = 0;
-        }
-        if (++taken_ % cases_of_block == 0) owners_.pop_front();
-        return line_;
-      }
-      if (has_ended(share)) fail(Fault::Kind::ends, share);
+      if (has_ended(*owners_.front())) fail(Fault::Kind::ends, *owners_.front());
+    } else if (!has_more_) {
+      finish();
+      return std::nullopt;
     } else if (std::ranges::all_of(shares_, [&](const auto& s) { return has_ended(*s); })) {
       fail(Fault::Kind::ends, *shares_.front());
     }
     if (!fault_) pump();
   }
-  return std::nullopt;
+}
+
+void Relay::take_line(Share& share) {
+  const std::size_t end = share.lines.find('\n', share.read);
+  line_.assign(share.lines, share.read, end - share.read);
+  share.read = end + 1;
+  // What was returned is dropped in large pieces.
+  constexpr std::size_t piece = 1U << 16U;
+  if (share.read > piece && share.read > share.lines.size() / 2) {
+    share.lines.erase(0, share.read);
+    share.read = 0;
+  }
 }
 
 void Relay::finish() {
@@ -96,8 +98,8 @@ void Relay::finish() {
 
 bool Relay::has_ended(const Share& share) const {
   if (!share.child.out.is_open()) return true;
-  // A process that the program left behind may keep the pipe open. All that the program itself wrote
-  // has been read.
+  // A process that the program left behind may keep the pipe open. All that the program itself
+  // wrote has been read.
   return share.ending && (share.results == share.cases ||
                           Clock::now() - std::max(share.last_active, share.ended_at) > grace);
 }

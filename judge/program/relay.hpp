@@ -3,6 +3,7 @@
 /// cases.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -61,6 +62,8 @@ class Relay : private boost::noncopyable {
   using Clock = std::chrono::steady_clock;
   struct Share;
 
+  /// Moves the next result of a process to `line_`.
+  void take_line(Share& share);
   /// Waits until the processes end after the last result.
   void finish();
   /// Gives blocks to processes that have none to read, then moves bytes in both directions.
@@ -81,7 +84,7 @@ class Relay : private boost::noncopyable {
   std::uint64_t taken_ = 0;
   std::vector<std::unique_ptr<Share>> shares_;
   std::deque<Share*> owners_;  ///< of the blocks from that of the next result on
-  std::string line_;
+  std::string line_;           ///< the result that was returned last
   std::optional<Fault> fault_;
 };
 

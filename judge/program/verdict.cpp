@@ -22,6 +22,10 @@ using Clock = std::chrono::steady_clock;
 /// If one process takes longer for all cases, several run.
 constexpr double seconds_for_one = 2;
 
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 /// Returns the next result; empty at the end of the results.
 using NextResult = std::function<std::optional<std::string_view>()>;
 
@@ -63,27 +67,36 @@ class Judging {
     Relay relay({.command = options_.command, .silence = options_.silence}, walk.lines());
     const auto start = Clock::now();
     while (const auto line = relay.next()) first_.emplace_back(*line);
-    verdict_.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (relay.fault()) explain(walk, relay, first_.size());
-    return !relay.fault();
+    verdict_.seconds = seconds_since(start);
+    if (!relay.fault()) return true;
+    // A line that is no result explains more than what followed it.
+    judge(walk, stored());
+    if (!verdict_.failure) explain(walk, relay, first_.size());
+    return false;
   }
 
   void run_all() {
     verdict_.processes = options_.processes.value_or(processes_that_pay());
     const Walk walk{variant(), options_.cases, 1};
-    Relay relay({.command = options_.command,
-                 .processes = verdict_.processes,
-                 .silence = options_.silence},
-                walk.lines());
+    Relay relay(
+        {.command = options_.command, .processes = verdict_.processes, .silence = options_.silence},
+        walk.lines());
     const auto start = Clock::now();
     judge(walk, [&relay] { return relay.next(); });
-    verdict_.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    verdict_.seconds = seconds_since(start);
     if (relay.fault()) explain(walk, relay, verdict_.judge->cases());
   }
 
+  /// Returns the number of processes, from the time of the first run without that of the start.
   [[nodiscard]] std::size_t processes_that_pay() const {
-    const double all = verdict_.seconds * static_cast<double>(stride_);
-    return all <= seconds_for_one ? 1 : std::max(1U, std::thread::hardware_concurrency());
+    const auto takes_long = [this](double seconds) {
+      return seconds * static_cast<double>(stride_) > seconds_for_one;
+    };
+    if (!takes_long(verdict_.seconds)) return 1;
+    const auto start = Clock::now();
+    static_cast<void>(fault_of({variant(), options_.cases, stride_}, 0, 0));
+    if (!takes_long(verdict_.seconds - seconds_since(start))) return 1;
+    return std::max(1U, std::thread::hardware_concurrency());
   }
 
   /// The results of the first run.
@@ -131,10 +144,8 @@ class Judging {
       if (is_decimal) one.said_text = line;
       return one;
     } catch (const support::UsageError& error) {
-      verdict_.failure = Failure{.defect = error.what(),
-                                 .said = std::string(line),
-                                 .at = std::move(one),
-                                 .results = verdict_.judge->cases()};
+      verdict_.failure =
+          Failure{.defect = error.what(), .at = std::move(one), .results = verdict_.judge->cases()};
       return std::nullopt;
     }
   }
@@ -159,7 +170,7 @@ class Judging {
     const bool can_be_alone =
         fault.kind == Fault::Kind::ends || fault.kind == Fault::Kind::too_many;
     if (can_be_alone) {
-      if (const auto found = failing_case(walk, results, relay.given())) {
+      if (const auto found = failing_case(walk, fault.kind, results, relay.given())) {
         index = *found;
         failure.is_alone = true;
       }
@@ -173,26 +184,30 @@ class Judging {
   }
 
   /// Returns the first case on which the program fails alone; empty if there is none.
-  std::optional<std::uint64_t> failing_case(const Walk& walk, std::uint64_t next,
+  std::optional<std::uint64_t> failing_case(const Walk& walk, Fault::Kind kind, std::uint64_t next,
                                             std::uint64_t end) {
-    if (next < end && fails(walk, next, next + 1)) return next;
+    const auto fails = [&](std::uint64_t first, std::uint64_t last) {
+      return fault_of(walk, first, last) == kind;
+    };
+    // One that ends at once has answered all cases before.
+    if (kind == Fault::Kind::ends && next < end && fails(next, next + 1)) return next;
     std::uint64_t first = 0;
     while (end - first > 1) {
       const std::uint64_t middle = first + (end - first) / 2;
-      (fails(walk, first, middle) ? end : first) = middle;
+      (fails(first, middle) ? end : first) = middle;
     }
-    if (first < end && fails(walk, first, end)) return first;
+    if (first < end && fails(first, end)) return first;
     return std::nullopt;
   }
 
-  /// Tells whether a process fails on these cases.
-  [[nodiscard]] bool fails(const Walk& walk, std::uint64_t first, std::uint64_t end) const {
-    if (support::Interrupt::flag()) return false;
-    Relay relay({.command = options_.command, .silence = options_.silence},
-                walk.lines(first, end));
+  /// Returns the fault of a process that runs on these cases.
+  [[nodiscard]] std::optional<Fault::Kind> fault_of(const Walk& walk, std::uint64_t first,
+                                                    std::uint64_t end) const {
+    if (support::Interrupt::flag()) return Fault::Kind::interrupted;
+    Relay relay({.command = options_.command, .silence = options_.silence}, walk.lines(first, end));
     while (relay.next()) {
     }
-    return relay.fault() && relay.fault()->kind != Fault::Kind::interrupted;
+    return relay.fault() ? std::optional(relay.fault()->kind) : std::nullopt;
   }
 
   const VerdictOptions& options_;

@@ -40,9 +40,8 @@ struct Walk {
 
   [[nodiscard]] Steps steps() const { return {variant, cases, stride}; }
   /// Returns the lines of the cases from `first` up to, but excluding, `end`.
-  [[nodiscard]] NextCase lines(
-      std::uint64_t first = 0,
-      std::uint64_t end = std::numeric_limits<std::uint64_t>::max()) const;
+  [[nodiscard]] NextCase lines(std::uint64_t first = 0,
+                               std::uint64_t end = std::numeric_limits<std::uint64_t>::max()) const;
 };
 
 }  // namespace fixproof::program

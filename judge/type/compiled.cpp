@@ -22,8 +22,8 @@ std::string compiled(const Compilation& how, std::span<const Goal> goals) {
   const std::string object = folder.file("type.o");
   // Freestanding, an error is UD2 and no code of the C++ library. The arithmetic is the same.
   run_compiler({how.compiler, "-std=c++20", "-ffreestanding", "-fno-exceptions", how.level, "-I",
-             how.headers, "-c", "-x", "c++", "-", "-o", object},
-            source_of(goals), most_time);
+                how.headers, "-c", "-x", "c++", "-", "-o", object},
+               source_of(goals), most_time);
   return support::read_bounded(object, most_bytes);
 }
 
