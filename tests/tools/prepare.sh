@@ -24,6 +24,8 @@ browser_packages=(chromium chromium-driver python3-selenium nodejs "${wasm_packa
 import_packages=(clang git pkg-config)
 # shellcheck disable=SC2034
 scale_packages=(parallel procps slurmctld slurmd slurm-client munge)
+# shellcheck disable=SC2034
+language_packages=(rustc golang-go mono-mcs mono-runtime nodejs iverilog verilator ghdl)
 
 say() { printf 'fixproof: %s\n' "$*" >&2; }
 die() { say "$*"; exit 2; }
