@@ -67,7 +67,7 @@ void read_batches(Input input) {
 }
 
 void read_trace(std::string_view reply) {
-  const auto call = judge::read_trace(reply, 64);
+  const auto call = judge::read_trace(reply, judge::register_count);
   if (!call) return;
   const auto& [steps, accesses] = call->trace;
   expect(

@@ -2,24 +2,31 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <sstream>
 #include <system_error>
 #include <vector>
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/case_options.hpp"
+#include "app/cli/check_json.hpp"
 #include "app/cli/check_rules.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/port_option.hpp"
 #include "judge/check/cases.hpp"
+#include "judge/check/guess_text.hpp"
 #include "judge/check/judge.hpp"
 #include "judge/check/results.hpp"
 #include "judge/check/verdict_text.hpp"
 #include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
+#include "support/json.hpp"
+#include "support/output_file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 
@@ -33,6 +40,7 @@ struct CheckOptions {
   RuleOptions rules;
   std::string results;
   std::string from;
+  std::string json;
   check::CaseOptions cases;
   std::size_t shown = 10;
 };
@@ -131,6 +139,27 @@ void judge_all(check::CaseSource& cases, check::Results& results, check::Judge& 
   }
 }
 
+std::unique_ptr<check::CaseSource> cases_of(const cases::Variant& variant,
+                                            const CheckOptions& options) {
+  if (!options.from.empty()) return std::make_unique<check::FileCases>(variant, options.from);
+  return std::make_unique<check::GeneratedCases>(variant, options.cases);
+}
+
+/// Returns the rounding that the results in range follow best. Sets `in` to its beginning again.
+oracle::Rounding fitting_rounding(const check::Rules& rules, check::CaseSource& cases,
+                                  std::stringstream& in, const std::string& name) {
+  check::Results results(in, name, rules.variant.format);
+  check::Judge judge(rules, 0);
+  try {
+    judge_all(cases, results, judge);
+  } catch (const support::UsageError&) {
+    // The second reading meets the same error, and reports it with what it has judged.
+  }
+  in.clear();
+  in.seekg(0);
+  return check::roundings()[check::best_rounding(judge)];
+}
+
 int check(const CLI::App& command, const CheckOptions& options) {
   const cases::Operation operation = cases::operation_named(options.operation);
   if (!check::is_judged(operation)) {
@@ -138,12 +167,23 @@ int check(const CLI::App& command, const CheckOptions& options) {
         fmt::format("check {}: choose {}", options.operation, judged_operations));
   }
   const cases::Variant variant = variant_in(operation, options.formats);
-  const check::Rules rules = rules_of(command, options.rules, variant);
-  std::unique_ptr<check::CaseSource> cases;
-  if (options.from.empty()) {
-    cases = std::make_unique<check::GeneratedCases>(variant, options.cases);
-  } else {
-    cases = std::make_unique<check::FileCases>(variant, options.from);
+  check::Rules rules = rules_of(command, options.rules, variant);
+  const bool finds_rounding = options.rules.rounding == best_rounding && check::is_rounded(variant);
+  if (finds_rounding && std::filesystem::exists(options.from) &&
+      !std::filesystem::is_regular_file(options.from)) {
+    throw support::UsageError(fmt::format(
+        "--from {}: --rounding best reads the cases twice; name a regular file", options.from));
+  }
+  std::unique_ptr<check::CaseSource> cases = cases_of(variant, options);
+  std::optional<support::OutputFile> json;
+  if (!options.json.empty() && options.json != "-") {
+    for (const std::string& input : {options.from, options.results}) {
+      if (!input.empty() && support::same_file(input, options.json)) {
+        throw support::UsageError(fmt::format(
+            "--json {}: this is also a file that check reads; name another file", options.json));
+      }
+    }
+    json.emplace(options.json);
   }
   std::ifstream file;
   if (!options.results.empty()) {
@@ -158,8 +198,17 @@ int check(const CLI::App& command, const CheckOptions& options) {
     }
   }
   const bool piped = options.results.empty();
-  check::Results results(piped ? std::cin : file, piped ? "standard input" : options.results,
-                         variant.format, variant.operation == cases::Operation::to_decimal);
+  const std::string name = piped ? "standard input" : options.results;
+  std::istream* input = piped ? &std::cin : &file;
+  std::stringstream kept;
+  if (finds_rounding) {
+    kept << input->rdbuf();
+    kept.clear();
+    input = &kept;
+    rules.rounding = fitting_rounding(rules, *cases_of(variant, options), kept, name);
+  }
+  check::Results results(*input, name, variant.format,
+                         variant.operation == cases::Operation::to_decimal);
   check::Judge judge(rules, options.shown);
   std::string failure;
   try {
@@ -168,14 +217,23 @@ int check(const CLI::App& command, const CheckOptions& options) {
     failure = error.what();
   }
   // Show the verdict on the results judged so far, even after an error.
+  std::string text;
   if (judge.cases() > 0) {
-    std::cout << heading(rules, options.from.empty() ? options.cases.command_line(variant)
-                                                     : support::printable(options.from))
-              << check::verdict_text(judge) << no_result_hint(judge);
+    text = heading(rules, options.from.empty() ? options.cases.command_line(variant)
+                                               : support::printable(options.from)) +
+           check::verdict_text(judge) + no_result_hint(judge);
   }
-  if (support::Interrupt::flag()) {
-    std::cout << fmt::format("\nSTOPPED after {}{} cases\n", support::grouped(judge.cases()),
-                             cases->count() ? " of " + support::grouped(*cases->count()) : "");
+  const bool stopped = support::Interrupt::flag();
+  if (stopped) {
+    text += fmt::format("\nSTOPPED after {}{} cases\n", support::grouped(judge.cases()),
+                        cases->count() ? " of " + support::grouped(*cases->count()) : "");
+  }
+  if (options.json != "-") std::cout << text;
+  if (!options.json.empty() && judge.cases() > 0 && failure.empty()) {
+    const std::string document = support::json_text(check_json(judge, text, !stopped));
+    json ? json->replace(document) : void(std::cout << document);
+  }
+  if (stopped) {
     return judge.is_right() ? support::interrupted_status : 1;
   }
   if (!failure.empty()) throw support::UsageError(failure);
@@ -200,6 +258,11 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
   for (const char* of_gen : {"--level", "--seed", "--shard", "--cases"}) {
     from->excludes(command.get_option(of_gen));
   }
+  command
+      .add_option("--json", options.json,
+                  "also write the verdict as JSON to this file, or, as -, to standard output in "
+                  "place of the text; the members are in docs/check.md")
+      ->check(not_empty());
   command.add_option("--show", options.shown, "number of wrong results to show")
       ->transform(whole_number(0, 1'000'000))
       ->capture_default_str();
@@ -255,6 +318,7 @@ Examples:
   fixproof gen from_binary64 --format q8_24 | ./mine |
     fixproof check from_binary64 --format q8_24 --rounding half-even --overflow saturate
   fixproof gen div | ./mine | fixproof check div --rule doom
+  fixproof gen mul | ./mine | fixproof check mul --rounding best --json -
   fixproof gen add | ./mine | fixproof check add --overflow saturate
   fixproof gen sin | ./mine | fixproof check sin --within 2
   fixproof gen mul --format q2_16 --to q4_32 | ./mine | fixproof check mul --format q2_16 --to q4_32

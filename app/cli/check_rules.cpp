@@ -51,12 +51,12 @@ void set_rounding(const RuleOptions& options, check::Rules& rules) {
     rules.faithful = true;
     return;
   }
-  if (!options.rounding.empty()) {
+  if (!options.rounding.empty() && options.rounding != best_rounding) {
     rules.rounding =
         rule_named("--rounding", options.rounding, check::roundings(), {}, check::faithful);
     return;
   }
-  if (!check::is_rounded(rules.variant)) return;
+  if (!check::is_rounded(rules.variant) || options.rounding == best_rounding) return;
   throw support::UsageError(fmt::format(
       "check {}: --rounding, --within or --rule is required; name the rule that results should "
       "follow, such as half-up",
@@ -64,7 +64,8 @@ void set_rounding(const RuleOptions& options, check::Rules& rules) {
 }
 
 /// Rejects options that have no effect on the operation, because they are probably mistakes.
-void refuse_idle_options(const CLI::App& command, const cases::Variant& variant) {
+void refuse_idle_options(const CLI::App& command, const RuleOptions& options,
+                         const cases::Variant& variant) {
   const cases::Operation operation = variant.operation;
   const auto refuse = [&command](const char* option, bool applies, std::string_view operations) {
     if (applies || command.count(option) == 0) return;
@@ -74,7 +75,8 @@ void refuse_idle_options(const CLI::App& command, const cases::Variant& variant)
   // Products and conversions are rounded in most formats, so naming a rounding is no mistake.
   const bool may_round = check::is_rounded(variant) || operation == cases::Operation::mul ||
                          operation == cases::Operation::convert || cases::is_sum(operation);
-  refuse("--rounding", may_round, "results that are rounded");
+  // Who leaves the rounding open need not know which operations round.
+  refuse("--rounding", may_round || options.rounding == best_rounding, "results that are rounded");
   refuse("--within", may_round, "results that are rounded");
   refuse("--overflow", check::can_overflow(variant), "results that can overflow");
   refuse("--not-finite", operation == cases::Operation::from_binary64, "from_binary64");
@@ -111,7 +113,7 @@ std::string_view no_result_option(cases::Operation operation) {
 check::Rules rules_of(const CLI::App& command, const RuleOptions& options,
                       const cases::Variant& variant) {
   const cases::Operation operation = variant.operation;
-  refuse_idle_options(command, variant);
+  refuse_idle_options(command, options, variant);
   if (!options.rule.empty()) return port_rules_named(options.rule, variant);
   check::Rules rules{.variant = variant};
   set_rounding(options, rules);
@@ -141,7 +143,8 @@ check::Rules rules_of(const CLI::App& command, const RuleOptions& options,
 void add_rule_options(CLI::App& command, RuleOptions& options) {
   command.add_option("--rounding", options.rounding,
                      "expected rounding: half-up, half-away, half-even, floor, ceiling, "
-                     "toward-zero, or faithful for either neighbour; required unless there is a "
+                     "toward-zero, faithful for either neighbour, or best for the one that fits "
+                     "best; required unless there is a "
                      "--within or --rule, or results are exact");
   command
       .add_option(

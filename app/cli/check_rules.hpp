@@ -29,6 +29,9 @@ check::Within within_of(std::string_view text);
 /// `options` must outlive the command.
 void add_rule_options(CLI::App& command, RuleOptions& options);
 
+/// The text of --rounding for the rounding that fits best, which rules_of() leaves open.
+inline constexpr std::string_view best_rounding = "best";
+
 /// The option for operands without a result.
 std::string_view no_result_option(cases::Operation operation);
 

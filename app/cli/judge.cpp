@@ -13,6 +13,7 @@
 #include "app/cli/judge_program.hpp"
 #include "app/cli/judge_rules.hpp"
 #include "app/cli/judge_text.hpp"
+#include "app/cli/proof_progress.hpp"
 #include "app/cli/words.hpp"
 #include "judge/code/clocks.hpp"
 #include "judge/code/code_width.hpp"
@@ -201,8 +202,12 @@ void print_clocks(const judge::Subject& subject) {
 bool print_proof(const JudgeOptions& options, const judge::Subject& subject,
                  const judge::Verdict& verdict) {
   const proof::Solver solver(options.solver.name);
-  const judge::RoutineProof proof =
-      judge::prove(subject, verdict.rules, verdict.machine, solver, options.solver.seconds);
+  const auto prove = [&] {
+    ProofProgress progress;
+    return judge::prove(subject, verdict.rules, verdict.machine, solver, options.solver.seconds,
+                        [&](const judge::ProofStep& step) { progress.show(step); });
+  };
+  const judge::RoutineProof proof = prove();
   std::cout << '\n' << proof_text(proof, verdict.rules, solver.version());
   return proof.standing != proof::Standing::disproven;
 }

@@ -82,9 +82,9 @@ void RunOptions::add_to(CLI::App& command) {
 void JudgeOptions::add_to(CLI::App& command) {
   command
       .add_option("file", file,
-                  "the file with the routine: an ELF object, program or shared library (i386 or "
-                  "x86-64), a .COM, MZ .EXE, NASM source or flat binary; FILE:FUNCTION is FILE "
-                  "with --symbol FUNCTION; required unless --run is given")
+                  "the file with the routine: C or C++ source ($CC, $CXX), an ELF object, program, "
+                  "firmware or shared library, a .COM, MZ .EXE, NASM source or flat binary; "
+                  "FILE:FUNCTION is FILE with --symbol FUNCTION; required unless --run is given")
       ->check(not_empty());
   command
       .add_option(
@@ -163,7 +163,9 @@ void JudgeOptions::add_to(CLI::App& command) {
   run.add_to(command);
   command.footer(
       R"(The routine runs on every case of `fixproof gen`, in a process of its own that can open no file and
-start no program. It runs on this processor, or on Unicorn if the processor cannot run it.
+start no program. It runs on this processor, or on Unicorn if the processor cannot run it. An ELF
+file may have code for i386, x86-64, ARM and Thumb, AArch64, RISC-V of 32 and 64 bits, MIPS of 32
+bits, the 68000, PowerPC or s390x. C and C++ are compiled with -O2, or as $CFLAGS or $CXXFLAGS say.
 
 --frame says where the operands and the result are. Name the registers in the order of the
 operands, a pair with its upper half first, a pointer in brackets. In the stack conventions, the
@@ -185,6 +187,9 @@ Exit status: 0 if all results are right and there is no defect, 1 if there is on
 or input, 130 if interrupted.
 
 Examples:
+  fixproof judge fixed.c:fix_mul --as mul
+  CC='arm-none-eabi-gcc -mcpu=cortex-m4' fixproof judge fixed.c:fix_mul --as mul
+  fixproof judge firmware.elf:fix_mul --as mul
   fixproof judge fixmul.asm --as mul --frame 'eax, ebx -> eax' --bits 32
   fixproof judge game.exe --as mul --at 0:1f40 --frame c-far
   fixproof judge mine.o --symbol my_mul --as mul --overflow wrap --prove

@@ -96,6 +96,16 @@ std::string text_of(const judge::Ending& ending, const judge::Image& image) {
     case judge::End::bad_address:
       if (const judge::Symbol* const missing = image.missing_at(ending.address)) {
         const std::string name = support::quoted(missing->name);
+        // Compilers call functions of their own library, whose names begin so.
+        if (image.container == judge::object_container && missing->name.starts_with("__")) {
+          return fmt::format(
+              "uses {}, which the object does not have, {}; Debian's package {} has "
+              "it, and judge adds it",
+              name, at,
+              image.architecture != nullptr ? image.architecture->package
+              : image.bits == 64            ? "gcc"
+                                            : "gcc-multilib");
+        }
         return image.container == judge::linked_container
                    ? fmt::format(
                          "uses {}, which needs another file or the loader of the system, "

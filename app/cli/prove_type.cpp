@@ -146,10 +146,10 @@ class Run {
     const Object& object = objects_[task.object];
     const judge::Image image =
         judge::load_bytes("type.o", object.bytes, {.symbol = task.goal->symbol});
-    const judge::Ask ask = [this](const std::string& script) {
-      return answers_(script, [this](const std::string& asked) -> proof::SolverAnswer {
+    const judge::Ask ask = [this](const std::string& script, int max_seconds) {
+      return answers_(script, [&]() -> proof::SolverAnswer {
         try {
-          return solver_.ask(asked, options_.solver.seconds);
+          return solver_.ask(script, std::min(max_seconds, options_.solver.seconds));
         } catch (const proof::SolverError& error) {
           return {.remark = error.what()};  // there may be another way to ask
         }

@@ -203,6 +203,15 @@ std::string ports_line(const Judge& judge) {
 
 }  // namespace
 
+std::size_t best_rounding(const Judge& judge) {
+  const RuleTrial& trial = judge.trial();
+  const bool lacks = can_lack_result(judge.rules().variant);
+  const BestRules rounding = trial.rounding();
+  return *std::ranges::min_element(rounding.rules, {}, [&](std::size_t r) {
+    return lacks ? trial.no_result(r).first.exceptions.count() : 0;
+  });
+}
+
 std::string guess_text(const Judge& judge) {
   const RuleTrial& trial = judge.trial();
   const cases::Variant& variant = judge.rules().variant;
@@ -212,12 +221,7 @@ std::string guess_text(const Judge& judge) {
   std::string text = "What the subject does, all rules tried:\n" + ports_line(judge);
 
   const BestRules rounding = trial.rounding();
-  // Roundings that agree on roots in range can differ on the mirrored root of a negative operand.
-  // Choose the one with the fewest exceptions there.
-  const bool lacks = can_lack_result(variant);
-  const std::size_t rule = *std::ranges::min_element(rounding.rules, {}, [&](std::size_t r) {
-    return lacks ? trial.no_result(r).first.exceptions.count() : 0;
-  });
+  const std::size_t rule = best_rounding(judge);
   followed.rounding = roundings()[rule];
   text += rounding_line(trial, rounding, followed);
   text += idiom_line(judge.idioms().likeness(), format);

@@ -14,4 +14,9 @@ namespace fixproof::check {
 /// names an idiom of C that explains wrong results.
 std::string guess_text(const Judge& judge);
 
+/// Returns the index in roundings() of the rounding that the subject follows best. Roundings that
+/// agree on roots in range can differ on the mirrored root of a negative operand: this is the one
+/// with the fewest exceptions there.
+std::size_t best_rounding(const Judge& judge);
+
 }  // namespace fixproof::check

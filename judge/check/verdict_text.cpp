@@ -14,10 +14,6 @@ namespace fixproof::check {
 
 namespace {
 
-std::string text_of_said(Said said, const cases::Format& format) {
-  return said ? hex_text(*said, format) : std::string("DE");
-}
-
 std::string table_line(std::string_view name, KindTally all, KindTally negative) {
   return fmt::format("{:<16} {:>13} {:>12}  {:>13} {:>12}\n", name, support::grouped(all.cases),
                      support::grouped(all.wrong), support::grouped(negative.cases),
@@ -74,26 +70,43 @@ std::string common_text(const Judge& judge) {
 
 std::string text_of_operands(const JudgedCase& one, const Rules& rules) {
   if (one.valued) return text_of(*one.valued, rules.variant);
-  std::string hex;
   std::string decimal;
   const auto values = one.values().words();
   for (std::size_t i = 0; i < cases::words_in(rules.variant.operation); ++i) {
-    const std::string_view space = hex.empty() ? "" : " ";
-    hex += fmt::format("{}{}", space, hex_text(one.words.at(i), rules.variant.format));
-    decimal += fmt::format("{}{}", space, decimal_text(values[i], rules.variant.format));
+    decimal +=
+        fmt::format("{}{}", i == 0 ? "" : " ", decimal_text(values[i], rules.variant.format));
   }
-  return fmt::format("{} ({})", hex, decimal);
+  return fmt::format("{} ({})", line_of_operands(one, rules), decimal);
+}
+
+std::string line_of_operands(const JudgedCase& one, const Rules& rules) {
+  if (one.valued) return one.valued->text;
+  std::string hex;
+  for (std::size_t i = 0; i < cases::words_in(rules.variant.operation); ++i) {
+    hex += fmt::format("{}{}", i == 0 ? "" : " ", hex_text(one.words.at(i), rules.variant.format));
+  }
+  return hex;
+}
+
+std::string line_of_result(Said said, const cases::Format& format) {
+  return said ? hex_text(*said, format) : std::string("DE");
+}
+
+CaseKind kind_of(const JudgedCase& one, const Rules& rules) {
+  const auto rounded = rounded_result(rules.variant, one.values(), rules.rounding);
+  return exact_place(rules.variant, one.values()).kind(rounded && !rounded->fits);
+}
+
+Expected expected_of(const JudgedCase& one, const Rules& rules) {
+  return expected_of(rules, rules.port != nullptr ? one.operands() : one.values());
 }
 
 std::string text_of(const JudgedCase& one, const Rules& rules) {
   const cases::Operation operation = rules.variant.operation;
   const cases::Format& format = rules.variant.format;
-  // A rule of a program takes the words as they are.
-  const Expected expected =
-      expected_of(rules, rules.port != nullptr ? one.operands() : one.values());
+  const Expected expected = expected_of(one, rules);
   const ExactPlace place = exact_place(rules.variant, one.values());
   const auto rounded = rounded_result(rules.variant, one.values(), rules.rounding);
-  const CaseKind kind = place.kind(rounded && !rounded->fits);
   std::string text = fmt::format("case {} ({}): {}: ", support::grouped(one.number),
                                  support::printable(one.origin), text_of_operands(one, rules));
   if (operation == cases::Operation::to_decimal) {
@@ -102,15 +115,15 @@ std::string text_of(const JudgedCase& one, const Rules& rules) {
   }
   const bool in_range = rounded && rounded->fits;
   if (expected.judged) {
-    text += text_of_said(expected.said, format);
+    text += line_of_result(expected.said, format);
     if (in_range && rules.within) text += fmt::format(" {}", text_of_rounding(rules));
     if (in_range && rules.faithful) text += " or its neighbour beyond the exact result";
     text += " expected, ";
   }
-  text += fmt::format("{} said; ", text_of_said(one.said, format));
+  text += fmt::format("{} said; ", line_of_result(one.said, format));
   if (place.has_result)
     text += fmt::format("exact {} ulp, ", exact_text(rules.variant, one.values()));
-  return text + std::string(name_of(kind, operation));
+  return text + std::string(name_of(kind_of(one, rules), operation));
 }
 
 std::string verdict_text(const Judge& judge) {

@@ -27,6 +27,8 @@ constexpr std::string_view riscv_names =
 constexpr std::string_view riscv_kept = "gp tp s0 s1 s2 s3 s4 s5 s6 s7 s8 s9 s10 s11";
 constexpr std::uint64_t riscv_floating_point = 0x6000;
 constexpr std::uint64_t mips_floating_point = 0x2000'0000;
+/// Compilers trap a divisor of 0: the instruction itself has no exception.
+constexpr int mips_trap = 22;
 
 constexpr std::array architectures{
     Architecture{
@@ -127,6 +129,7 @@ constexpr std::array architectures{
                  .runs = {RegisterRun{mips_names, UC_MIPS_REG_1}},
                  .program_counter = UC_MIPS_REG_PC,
                  .settings = {Setting{UC_MIPS_REG_CP0_STATUS, mips_floating_point}},
+                 .divide_errors = {mips_trap, -1},
                  .stack_pointer = "sp",
                  .link = "ra",
                  .callee = "t9",
@@ -147,6 +150,7 @@ constexpr std::array architectures{
                  .runs = {RegisterRun{mips_names, UC_MIPS_REG_1}},
                  .program_counter = UC_MIPS_REG_PC,
                  .settings = {Setting{UC_MIPS_REG_CP0_STATUS, mips_floating_point}},
+                 .divide_errors = {mips_trap, -1},
                  .stack_pointer = "sp",
                  .link = "ra",
                  .callee = "t9",

@@ -179,7 +179,7 @@ class Emulator final : public Machine {
     Values written;
     list(written);
     written.values.front() = 2U | registers.flags;  // bit 1 is always set
-    std::copy(registers.general.begin(), registers.general.end(), written.values.begin() + 1);
+    std::copy_n(registers.general.begin(), register_count, written.values.begin() + 1);
     check(uc_reg_write_batch(engine_.get(), written.numbers.data(), written.places.data(),
                              written.count),
           "registers");

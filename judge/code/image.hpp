@@ -44,8 +44,8 @@ struct Image {
   std::vector<Symbol> symbols;
   std::vector<Symbol> missing;  ///< names that an object lacks, at addresses without memory
 
-  std::vector<Region> regions;  ///< memory of the file that is far from `memory`
-  std::vector<Symbol> bases;    ///< the values of symbols that registers point to
+  std::vector<Region> regions{};  ///< memory of the file that is far from `memory`
+  std::vector<Symbol> bases{};    ///< the values of symbols that registers point to
 
   std::uint32_t stack_top = 0;  ///< offset in the data segment; arguments are below it
   std::uint32_t data = 0;       ///< offset in the data segment of what pointers point to

@@ -241,12 +241,13 @@ void load_elf(Image& image, const std::string& bytes) {
       if (is_other) {
         load_elf(image, linked_object(image, bytes));
         image.container = object_container;
-      } else {
-        const std::string whole = with_library_functions(bytes, image.bits);
-        elf::File file_with_library(whole, image.bits == 64);
-        Object(image, file_with_library).load();
+        return keep_symbols_of(image, bytes);
       }
-      return keep_symbols_of(image, bytes);
+      const std::string whole = with_library_functions(bytes, image.bits);
+      elf::File all(whole, image.bits == 64);
+      Object(image, all).load();
+      if (whole != bytes) keep_symbols_of(image, bytes);
+      return;
     }
     case ET_EXEC:
     case ET_DYN:

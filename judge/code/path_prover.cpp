@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "judge/code/abstract_functions.hpp"
 #include "verify/proof/model.hpp"
 #include "x86model/symbolic/smt.hpp"
@@ -11,6 +13,37 @@ namespace fixproof::judge {
 namespace sym = x86model::symbolic;
 using proof::Satisfiability;
 using proof::Standing;
+
+namespace {
+
+/// Nearly every condition is decided in hundredths of a second.
+constexpr int seconds_of_condition = 2;
+constexpr int no_limit = std::numeric_limits<int>::max();
+
+/// Declares all that `roots` depend on and `variables`, and defines the roots.
+std::string beginning(sym::Terms& terms, const std::vector<sym::Term>& roots,
+                      const std::vector<sym::Term>& variables, proof::Arithmetic arithmetic) {
+  std::vector<sym::Term> declared = roots;
+  declared.insert(declared.end(), variables.begin(), variables.end());
+  return fmt::format("(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}",
+                     proof::abstractions(arithmetic), declare_functions(arithmetic),
+                     sym::declare_variables(terms, declared), sym::define(terms, roots));
+}
+
+}  // namespace
+
+MayHold may_hold(sym::Terms& terms, const Ask& ask, double& seconds) {
+  return [&](sym::Term condition) {
+    if (terms.is_constant(condition)) return terms.value(condition) != 0;
+    const proof::SolverAnswer answer =
+        ask(fmt::format("{}(assert {})\n(check-sat)\n",
+                        beginning(terms, {condition}, {}, proof::Arithmetic::abstract),
+                        sym::name_in_smt(terms, condition)),
+            seconds_of_condition);
+    seconds += answer.seconds;
+    return answer.verdict != Satisfiability::unsatisfiable;
+  };
+}
 
 std::optional<MachineDivide> divide_of(sym::Terms& terms, const Path& path) {
   if (path.divide_error) return std::nullopt;
@@ -32,16 +65,13 @@ std::string question(const Paths& paths, const Path& path, const Claim& claim,
         fmt::format(fmt::runtime(claim.is_right), sym::name_in_smt(terms, path.result)));
   }
   roots.insert(roots.end(), claim.mentions.begin(), claim.mentions.end());
-  std::vector<sym::Term> declared = roots;
+  std::vector<sym::Term> operands;
   for (std::size_t i = 0; i < paths.operands.size(); ++i) {
-    declared.push_back(terms.variable(operand_name(i), paths.operands[i].bits));
+    operands.push_back(terms.variable(operand_name(i), paths.operands[i].bits));
   }
-  return fmt::format(
-      "(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}{}(assert {})\n"
-      "(assert {})\n(assert (not {}))\n(check-sat)\n",
-      proof::abstractions(arithmetic), declare_functions(arithmetic),
-      sym::declare_variables(terms, declared), sym::define(terms, roots), claim.definitions,
-      sym::name_in_smt(terms, path.condition), in_case, right);
+  return fmt::format("{}{}(assert {})\n(assert {})\n(assert (not {}))\n(check-sat)\n",
+                     beginning(terms, roots, operands, arithmetic), claim.definitions,
+                     sym::name_in_smt(terms, path.condition), in_case, right);
 }
 
 PathAnswer ask_all(const Paths& paths, const std::function<Claim(const Path&)>& claim,
@@ -58,7 +88,8 @@ PathAnswer ask_all(const Paths& paths, const std::function<Claim(const Path&)>& 
       return result;
     };
     for (const std::string& one : claimed.cases) {
-      const proof::SolverAnswer answer = ask(question(paths, path, claimed, one, arithmetic));
+      const proof::SolverAnswer answer =
+          ask(question(paths, path, claimed, one, arithmetic), no_limit);
       result.seconds += answer.seconds;
       if (answer.verdict == Satisfiability::unsatisfiable) continue;
       if (answer.verdict != Satisfiability::satisfiable) {
@@ -70,7 +101,9 @@ PathAnswer ask_all(const Paths& paths, const std::function<Claim(const Path&)>& 
         words.push_back(proof::word_in_model(answer.model, operand_name(i)));
       }
       if (!fails(words)) {
-        return undecided("the counterexample has products or quotients that do not exist");
+        return undecided(
+            "the counterexample is right when run: it needs products or quotients that do not "
+            "exist, or something in a register or on the stack");
       }
       result.standing = Standing::disproven;
       return result;

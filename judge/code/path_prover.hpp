@@ -16,8 +16,9 @@
 
 namespace fixproof::judge {
 
-/// Asks one question. @throws as proof::Solver::ask()
-using Ask = std::function<proof::SolverAnswer(const std::string& script)>;
+/// Asks one question, for at most `max_seconds` or a limit of its own. @throws as
+/// proof::Solver::ask()
+using Ask = std::function<proof::SolverAnswer(const std::string& script, int max_seconds)>;
 
 /// The paths of a routine, with all that a question about them needs.
 struct Paths {
@@ -25,6 +26,11 @@ struct Paths {
   std::span<const Path> all;
   const std::vector<Parameter>& operands;
 };
+
+/// Returns what tells whether operands satisfy a condition, under abstract arithmetic: it asks for
+/// a short time.
+/// @param terms,ask,seconds must outlive the result, which adds the time that the solver takes
+MayHold may_hold(x86model::symbolic::Terms& terms, const Ask& ask, double& seconds);
 
 /// Returns the divide that a path depends on, if it is the only one.
 std::optional<MachineDivide> divide_of(x86model::symbolic::Terms& terms, const Path& path);

@@ -24,12 +24,14 @@ constexpr std::uint64_t cases_to_compare = 1000;
 class Prover {
  public:
   Prover(const Subject& subject, const check::Rules& rules, On machine, const proof::Solver& solver,
-         int max_seconds)
+         int max_seconds, const std::function<void(const ProofStep&)>& observe)
       : subject_(subject),
         rules_(rules),
         runner_(subject, machine),
-        solver_(solver),
-        max_seconds_(max_seconds),
+        ask_([&solver, max_seconds](const std::string& script, int at_most) {
+          return solver.ask(script, std::min(at_most, max_seconds));
+        }),
+        observe_(observe),
         listing_(subject.image),
         signature_{.operands = parameters_of(subject.variant),
                    .result_bits = subject.variant.format.word_bits} {}
@@ -42,8 +44,9 @@ class Prover {
           "rules express it or it is Doom's";
       return proof_;
     }
-    SymbolicRun run =
-        run_symbolically(subject_.image, subject_.frame, signature_, listing_, terms_);
+    observe_({});
+    SymbolicRun run = run_symbolically(subject_.image, subject_.frame, signature_, listing_, terms_,
+                                       may_hold(terms_, ask_, proof_.seconds));
     if (!run.obstacle.empty()) {
       proof_.why = run.obstacle;
       return proof_;
@@ -102,10 +105,16 @@ class Prover {
 
   /// Asks about all paths. Returns whether the outcome is final.
   bool is_final(const std::function<Claim(const Path&)>& claim, Arithmetic arithmetic) {
-    const PathAnswer answer = ask_all(
-        {terms_, paths_, signature_.operands}, claim, arithmetic,
-        [&](const std::string& script) { return solver_.ask(script, max_seconds_); },
-        [&](std::span<const std::uint64_t> words) { return fails(words); });
+    ++attempts_;
+    const auto observed = [&](const Path& path) {
+      observe_({.attempt = attempts_,
+                .path = static_cast<std::size_t>(&path - paths_.data()) + 1,
+                .paths = paths_.size()});
+      return claim(path);
+    };
+    const PathAnswer answer =
+        ask_all({terms_, paths_, signature_.operands}, observed, arithmetic, ask_,
+                [&](std::span<const std::uint64_t> words) { return fails(words); });
     proof_.seconds += answer.seconds;
     proof_.standing = answer.standing;
     if (!answer.remark.empty()) proof_.why = answer.remark;
@@ -127,8 +136,9 @@ class Prover {
   const Subject& subject_;
   const check::Rules& rules_;
   Runner runner_;
-  const proof::Solver& solver_;
-  int max_seconds_;
+  Ask ask_;
+  const std::function<void(const ProofStep&)>& observe_;
+  std::size_t attempts_ = 0;
   Listing listing_;
   Signature signature_;
   sym::Terms terms_;
@@ -139,8 +149,9 @@ class Prover {
 }  // namespace
 
 RoutineProof prove(const Subject& subject, const check::Rules& rules, On machine,
-                   const proof::Solver& solver, int max_seconds) {
-  return Prover(subject, rules, machine, solver, max_seconds).prove();
+                   const proof::Solver& solver, int max_seconds,
+                   const std::function<void(const ProofStep&)>& observe) {
+  return Prover(subject, rules, machine, solver, max_seconds, observe).prove();
 }
 
 }  // namespace fixproof::judge

@@ -25,12 +25,13 @@ constexpr std::size_t max_steps = 20'000;
 class Explorer : public sym::Explorer<Path> {
  public:
   Explorer(const Image& image, const Frame& frame, const Signature& signature, Listing& listing,
-           sym::Terms& terms)
+           sym::Terms& terms, const MayHold& may_hold)
       : sym::Explorer<Path>(terms, max_paths),
         image_(image),
         frame_(frame),
         signature_(signature),
-        listing_(listing) {}
+        listing_(listing),
+        may_hold_(may_hold) {}
 
   /// The entry of the routine, called with its operands.
   Thread start() {
@@ -174,13 +175,21 @@ class Explorer : public sym::Explorer<Path> {
     const bool always = code.mnemonic == "call" || code.mnemonic == "jmp";
     if (!always && !code.condition) not_modelled();
     const Term taken = always ? t_.truth(true) : holds(machine, *code.condition);
-    return jump(thread, taken, *code.target, next);
+    const bool is_open = !t_.is_constant(taken);
+    if (!is_open || ++thread.jumps[thread.position] == 1) {
+      return jump(thread, taken, *code.target, next);
+    }
+    const bool may_jump = may_hold_(t_.both(thread.condition, taken));
+    const bool may_go_on = may_hold_(t_.both(thread.condition, t_.negation(taken)));
+    if (!may_jump && !may_go_on) return false;
+    return jump(thread, may_jump && may_go_on ? taken : t_.truth(may_jump), *code.target, next);
   }
 
   const Image& image_;
   const Frame& frame_;
   const Signature& signature_;
   Listing& listing_;
+  const MayHold& may_hold_;
   sym::State begin_;
   std::uint32_t after_ = 0;  ///< the right SP after the return
 };
@@ -190,10 +199,10 @@ class Explorer : public sym::Explorer<Path> {
 std::string operand_name(std::size_t index) { return {static_cast<char>('a' + index)}; }
 
 SymbolicRun run_symbolically(const Image& image, const Frame& frame, const Signature& signature,
-                             Listing& listing, sym::Terms& terms) {
+                             Listing& listing, sym::Terms& terms, const MayHold& may_hold) {
   SymbolicRun run;
   try {
-    Explorer explorer(image, frame, signature, listing, terms);
+    Explorer explorer(image, frame, signature, listing, terms, may_hold);
     run.paths = explorer.all(explorer.start());
   } catch (const Obstacle& obstacle) {
     run.obstacle = obstacle.what();

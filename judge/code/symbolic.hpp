@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,9 +42,15 @@ struct Signature {
 /// of the operand.
 std::string operand_name(std::size_t index);
 
+/// Tells whether some operands satisfy a condition. True if that is not known.
+using MayHold = std::function<bool(x86model::symbolic::Term condition)>;
+
 /// Follows every path of a routine that takes and returns plain numbers. Products and quotients
 /// become the abstract functions of x86model/symbolic/domain.hpp.
+/// @param may_hold asked about both ways of a jump that the path has taken before, so that loops
+///                 and recursion end that only the condition of the path ends
 SymbolicRun run_symbolically(const Image& image, const Frame& frame, const Signature& signature,
-                             Listing& listing, x86model::symbolic::Terms& terms);
+                             Listing& listing, x86model::symbolic::Terms& terms,
+                             const MayHold& may_hold);
 
 }  // namespace fixproof::judge

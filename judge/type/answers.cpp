@@ -44,7 +44,8 @@ Answers::Answers(const std::string& path, const std::string& asked)
   file_.emplace(path);
 }
 
-proof::SolverAnswer Answers::operator()(const std::string& script, const Ask& ask) {
+proof::SolverAnswer Answers::operator()(const std::string& script,
+                                        const std::function<proof::SolverAnswer()>& ask) {
   const std::string digest = support::sha256_hex(script);
   {
     const std::lock_guard lock(mutex_);
@@ -53,7 +54,7 @@ proof::SolverAnswer Answers::operator()(const std::string& script, const Ask& as
       return {.verdict = proof::Satisfiability::unsatisfiable};
     }
   }
-  proof::SolverAnswer answer = ask(script);
+  proof::SolverAnswer answer = ask();
   if (answer.verdict == proof::Satisfiability::unsatisfiable) {
     const std::lock_guard lock(mutex_);
     proven_.insert(digest);

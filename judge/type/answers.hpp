@@ -3,13 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <string>
 
-#include "judge/code/path_prover.hpp"
 #include "support/output_file.hpp"
+#include "verify/proof/solver_program.hpp"
 
 namespace fixproof::judge {
 
@@ -24,8 +25,9 @@ class Answers {
   /// std::runtime_error if it cannot be read or written, or another run is writing it
   Answers(const std::string& path, const std::string& asked);
 
-  /// Returns the answer, from memory or by asking. @throws as `ask` and save()
-  proof::SolverAnswer operator()(const std::string& script, const Ask& ask);
+  /// Returns the answer to `script`, from memory or by asking. @throws as `ask` and save()
+  proof::SolverAnswer operator()(const std::string& script,
+                                 const std::function<proof::SolverAnswer()>& ask);
 
   /// Writes the file. @throws std::runtime_error
   void save();

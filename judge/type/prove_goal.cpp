@@ -44,7 +44,9 @@ class Function {
     Registers registers;
     // Registers that hold no operand, and the bits above one, may hold anything.
     cases::Draw noise(0x5eed, calls_++);
-    for (std::uint64_t& general : registers.general) general = noise.bits();
+    for (std::uint64_t& general : std::span(registers.general).first(register_count)) {
+      general = noise.bits();
+    }
     for (std::size_t i = 0; i < operands.size(); ++i) {
       const Parameter& p = signature_.operands[i];
       std::uint64_t value = operands[i];
@@ -87,7 +89,8 @@ class Prover {
 
   GoalProof prove() {
     Listing listing(image_);
-    SymbolicRun run = run_symbolically(image_, frame_, goal_.signature, listing, terms_);
+    SymbolicRun run = run_symbolically(image_, frame_, goal_.signature, listing, terms_,
+                                       may_hold(terms_, ask_, proof_.seconds));
     proof_.why = run.obstacle;
     if (!run.obstacle.empty()) return proof_;
     paths_ = std::move(run.paths);

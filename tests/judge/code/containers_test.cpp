@@ -147,9 +147,9 @@ TEST(Containers, WhatCannotBeReadIsSaid) {
 
 TEST(Containers, ASourceOfAnotherKindIsNoFlatBinary) {
   const ScratchFolder folder;
-  for (const std::string name : {"mul.s", "mul.S", "mul.c", "mul.cpp", "MUL.PAS"}) {
+  for (const std::string name : {"mul.s", "mul.S", "MUL.PAS"}) {
     command::expect_usage_error(judge(folder.write(name, "ret"), "--as|mul"),
-                                name + ": is a source; compile it, as with gcc -m32 -c, and give ");
+                                name + ": is a source; compile it, as with gcc -c, and give ");
   }
   command::expect_usage_error(judge(folder.write("MUL.OBJ", "\x80"), "--as|mul"),
                               "MUL.OBJ: is an object, but not ELF; link it to a .COM program or");

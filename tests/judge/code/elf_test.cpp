@@ -110,9 +110,10 @@ TEST(JudgeElf, AnObjectOfAnotherProcessorIsRefused) {
                               "--bits 32: the ELF file has 64-bit code; leave --bits out");
   std::ifstream stream(to, std::ios::binary);
   std::string bytes(std::istreambuf_iterator<char>(stream), {});
-  bytes[18] = '\xB7';  // e_machine: AArch64
-  command::expect_usage_error(judge(folder.write("arm.o", bytes), "--as|mul"),
-                              "the ELF file is neither i386 nor x86-64 code");
+  bytes[18] = '\x15';  // e_machine: PowerPC of 64 bits
+  command::expect_usage_error(
+      judge(folder.write("arm.o", bytes), "--as|mul"),
+      "the ELF file is for none of the processors that judge runs: i386, x86-64, ARM, ");
 }
 
 }  // namespace

@@ -1,4 +1,8 @@
 // Proofs of routines, and what prevents one.
+#include <fmt/format.h>
+
+#include <filesystem>
+
 #include "tests/judge/code/judged.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
@@ -102,6 +106,104 @@ TEST(JudgeProof, OneWrongCaseIn2To32IsFoundByTheProofAlone) {
          1,
          {"AGREES on 5,000 cases", "DISPROVEN (",
           "\n  1234 0125 (18.203125 1.14453125): 14d5 expected, 0001 said"});
+}
+
+const std::string sums_of_two =
+    "--bits|32|--frame|eax, ebx -> eax|--as|add|--overflow|wrap" + prove;
+
+TEST(JudgeProof, ALoopThatOnlyItsConditionEndsIsProven) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  const ScratchFolder folder;
+  const auto loop =
+      folder.write("loop.asm", "add eax, ebx\nand ebx, 7\nagain: dec ebx\njns again\nret");
+  expect(judge(loop, sums_of_two), 0, {"PROVEN for all operands (8 paths"});
+  // No operand jumps back to the start: a path that seems to do so ends there.
+  const auto recursion = folder.write(
+      "recursion.asm",
+      "start: test ebx, ebx\njs negative\nadd eax, ebx\nret\nnegative: mov ecx, ebx\nnot ecx\n"
+      "test ecx, ecx\nmov ebx, ecx\njs start\nsub eax, ecx\ndec eax\nret");
+  expect(judge(recursion, sums_of_two), 0, {"PROVEN for all operands (2 paths"});
+}
+
+TEST(JudgeProof, TooManyPathsAreNamed) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  const ScratchFolder folder;
+  std::string source = "add eax, ebx\n";
+  for (int bit = 0; bit < 8; ++bit) {
+    source += fmt::format("test bl, {}\njz over{}\nnop\nover{}:\n", 1 << bit, bit, bit);
+  }
+  expect(judge(folder.write("many.asm", source + "ret"), sums_of_two), 0,
+         {"NOT PROVEN, only judged by cases: ", "there are more than 200 paths"});
+}
+
+TEST(JudgeProof, ALoadFromAChosenAddressTakesTheChosenOne) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  const ScratchFolder folder;
+  // Adds what the sign of EBX chooses from memory: 0 or, which the code takes off again, 1.
+  const auto source = [](const std::string& plus, const std::string& minus) {
+    return "mov ecx, plus\nmov edx, minus\ntest ebx, ebx\ncmovs ecx, edx\nadd eax, ebx\n"
+           "add eax, [ecx]\nshr ebx, 31\nsub eax, ebx\nret\nplus: dd " +
+           plus + "\nminus: dd " + minus;
+  };
+  expect(judge(folder.write("right.asm", source("0", "1")), sums_of_two), 0,
+         {"PROVEN for all operands (1 path"});
+  expect(judge(folder.write("minus.asm", source("0", "0")), sums_of_two), 1, {"DISPROVEN (1 path"});
+  expect(judge(folder.write("plus.asm", source("1", "1")), sums_of_two), 1, {"DISPROVEN (1 path"});
+}
+
+TEST(JudgeProof, WhatTheStackHoldsMayBeAnything) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  const ScratchFolder folder;
+  // No case has that word there.
+  const auto depends =
+      folder.write("depends.asm",
+                   "add eax, ebx\ncmp dword [esp - 8], 0x12345678\njne right\ninc eax\nright: ret");
+  expect(judge(depends, sums_of_two), 0,
+         {"AGREES on 5,000 cases", "NOT PROVEN", "the counterexample is right when run"});
+  const auto cancels = folder.write(
+      "cancels.asm", "add eax, ebx\nmov ecx, [esp - 8]\nsub ecx, [esp - 8]\nadd eax, ecx\nret");
+  expect(judge(cancels, sums_of_two), 0, {"PROVEN for all operands (1 path"});
+}
+
+TEST(JudgeProof, OneWrongPairIn2To64IsFoundByTheProofAlone) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  const ScratchFolder folder;
+  const std::string is_pair =
+      "mov ecx, eax\nxor ecx, 0x12345678\nmov edi, ebx\nxor edi, 0x9abcdef0\nor ecx, edi\n"
+      "mov ecx, 0\nsete cl\n";
+  const auto product =
+      folder.write("product.asm", is_pair + "imul ebx\nshrd eax, edx, 16\nadd eax, ecx\nret");
+  // The expected words are those of integers of any size.
+  expect(judge(product, judged::in_registers + prove + "|--rounding|floor|--overflow|wrap"), 1,
+         {"AGREES on 5,000 cases", "DISPROVEN (1 path",
+          "\n  12345678 9abcdef0 (4660.33777 -25923.12915): 93d6242d expected, 93d6242e said"});
+  const auto quotient = folder.write(
+      "quotient.asm", is_pair + "cdq\nshld edx, eax, 16\nshl eax, 16\nidiv ebx\nadd eax, ecx\nret");
+  const std::string divides = "--bits|32|--frame|eax, ebx -> eax|--as|div" + prove;
+  for (const char* const rules : {"|--rule|build", "|--rounding|toward-zero|--overflow|any"}) {
+    expect(judge(quotient, divides + rules), 1,
+           {"AGREES on 5,000 cases", "DISPROVEN (2 paths",
+            "\n  12345678 9abcdef0 (4660.33777 -25923.12915): ffffd1fb expected, ffffd1fc said"});
+  }
+}
+
+TEST(JudgeProof, ATerminalShowsThePathWhileASolverWorks) {
+  if (!command::has("z3")) GTEST_SKIP() << "no z3";
+  if (!command::has("script")) GTEST_SKIP() << "no script, which makes a terminal";
+  const ScratchFolder folder;
+  // Takes a second for the question about the routine, and none for the test questions.
+  const auto slow = folder.write(
+      "z3",
+      "#!/bin/sh\nPATH=${PATH#*:}\ncase \"$*\" in *-in*) ;; *) exec z3 \"$@\" ;; esac\n"
+      "text=$(cat)\ncase $text in *sfault128*) sleep 1 ;; esac\n"
+      "printf '%s\\n' \"$text\" | exec z3 \"$@\"\n");
+  std::filesystem::permissions(slow, std::filesystem::perms::owner_all);
+  const auto shown = command::run(
+      {"sh", "-c",
+       R"(PATH=$1:$PATH script -qefc "$2 judge $3 --bits 32 --as mul --frame 'eax, ebx -> eax' --cases 1000 --prove" /dev/null)",
+       "sh", folder.path(""), paths::command(), routine("mul")});
+  command::expect_contains(shown.out, "\rpath 1 of 1, 0 s\x1b[K");
+  command::expect_contains(shown.out, "PROVEN for all operands");
 }
 
 TEST(JudgeProof, AWrongRuleIsDisproven) {

@@ -19,7 +19,7 @@ constexpr Answer stuck{.ending = {.end = End::endless}};
 TEST(Replies, AnswersAreReadAsTheyAre) {
   Answer answer{.broken = Call::moves_segments, .changed = 0xFF};
   answer.words = {1, 2, 3};
-  const auto read = read_answers(bytes_of({answer, stuck}), 4, 32);
+  const auto read = read_answers(bytes_of({answer, stuck}), 4, 8);
   ASSERT_TRUE(read);
   ASSERT_EQ(read->size(), 2U);
   EXPECT_EQ((*read)[0].words, answer.words);
@@ -28,7 +28,7 @@ TEST(Replies, AnswersAreReadAsTheyAre) {
 
 TEST(Replies, FalseAnswersAreRefused) {
   const auto is_read = [](const std::string& reply, std::size_t asked) {
-    return read_answers(reply, asked, 32).has_value();
+    return read_answers(reply, asked, 8).has_value();
   };
   const std::string two = bytes_of({returned, returned});
   EXPECT_TRUE(is_read(two, 2));
@@ -48,9 +48,9 @@ TEST(Replies, FalseAnswersAreRefused) {
   EXPECT_FALSE(is_read(with([](Answer& a) { a.changed = 1U << 8U; }), 1));
   Answer wide;
   wide.changed = 1U << 15U;
-  EXPECT_TRUE(read_answers(bytes_of({wide}), 1, 64)) << "R15";
+  EXPECT_TRUE(read_answers(bytes_of({wide}), 1, 16)) << "R15";
   wide.changed = 1U << 16U;
-  EXPECT_FALSE(read_answers(bytes_of({wide}), 1, 64));
+  EXPECT_FALSE(read_answers(bytes_of({wide}), 1, 16));
 }
 
 std::string trace(std::uint32_t claimed, const std::vector<Step>& steps,
@@ -61,19 +61,19 @@ std::string trace(std::uint32_t claimed, const std::vector<Step>& steps,
 
 TEST(Replies, FalseTracesAreRefused) {
   const Access access{.step = 1, .address = 0x800000000008, .bytes = 4};
-  const auto read = read_trace(trace(2, {{}, {.at = 5}}, {access}), 32);
+  const auto read = read_trace(trace(2, {{}, {.at = 5}}, {access}), 8);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->trace.steps.at(1).at, 5U);
   EXPECT_EQ(read->trace.accesses.at(0).address, 0x800000000008U);
-  EXPECT_FALSE(read_trace("", 32));
-  EXPECT_FALSE(read_trace(trace(3, {{}, {}}, {}), 32));
-  EXPECT_FALSE(read_trace(trace(0xFFFFFFFF, {{}, {}}, {}), 32));
-  EXPECT_FALSE(read_trace(trace(2, {{}, {}}, {access}) + "x", 32));
-  EXPECT_FALSE(read_trace(trace(1, {{}}, {access}), 32)) << "an access of no step";
-  EXPECT_FALSE(read_trace(trace(1, {{}}, {{.bytes = 65}}), 32)) << "an access of all memory";
+  EXPECT_FALSE(read_trace("", 8));
+  EXPECT_FALSE(read_trace(trace(3, {{}, {}}, {}), 8));
+  EXPECT_FALSE(read_trace(trace(0xFFFFFFFF, {{}, {}}, {}), 8));
+  EXPECT_FALSE(read_trace(trace(2, {{}, {}}, {access}) + "x", 8));
+  EXPECT_FALSE(read_trace(trace(1, {{}}, {access}), 8)) << "an access of no step";
+  EXPECT_FALSE(read_trace(trace(1, {{}}, {{.bytes = 65}}), 8)) << "an access of all memory";
   std::string cut = trace(2, {{}, {}}, {access});
   for (; !cut.empty(); cut.pop_back()) {
-    if (const auto part = read_trace(cut, 32)) {
+    if (const auto part = read_trace(cut, 8)) {
       EXPECT_LE(part->trace.steps.size() * sizeof(Step), cut.size());
     }
   }
@@ -84,7 +84,7 @@ TEST(Replies, AFalseByteIsNoRegister) {
   const std::size_t flag = reply.size() - sizeof(Step) + offsetof(Step, registers) +
                            offsetof(Registers, has_own_segments);
   reply[flag] = static_cast<char>(0x77);
-  const auto read = read_trace(reply, 32);
+  const auto read = read_trace(reply, 8);
   ASSERT_TRUE(read);
   EXPECT_TRUE(read->trace.steps[0].registers.has_own_segments);
   EXPECT_EQ(read->trace.steps[0].bytes, 15U);

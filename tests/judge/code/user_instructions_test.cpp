@@ -50,9 +50,6 @@ Image image_of(const std::string& code, int bits) {
   return image;
 }
 
-std::size_t registers_of(const Image& image) {
-  return image.bits == 64 ? register_count : x86model::register_count;
-}
 std::uint32_t top_of(const Image& image) {
   return image.stack_top - static_cast<std::uint32_t>(image.bits / 8);
 }

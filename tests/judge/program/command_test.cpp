@@ -1,7 +1,8 @@
 // Tests `fixproof judge --run` as a user runs it.
+#include "tests/support/command.hpp"
+
 #include <fmt/format.h>
 
-#include "tests/support/command.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/test.hpp"
 
@@ -74,10 +75,12 @@ TEST(RunCommand, RefusesOptionsWithoutEffect) {
   for (const char* option : {"--frame c", "--at 0", "--symbol f", "--bits 32", "--prove",
                              "--clocks", "--list", "--trace 0", "--against-listing mul"}) {
     const std::string_view text = option;
-    expect_refused(fmt::format("judge --run cat --as mul {}", text), text.substr(0, text.find(' ')));
+    expect_refused(fmt::format("judge --run cat --as mul {}", text),
+                   text.substr(0, text.find(' ')));
   }
   expect_refused("judge mine.o --as mul --to q8_8", "--to requires --run");
-  expect_refused("judge mine.o --as mul --timeout 3", "--timeout applies only to --prove and --run");
+  expect_refused("judge mine.o --as mul --timeout 3",
+                 "--timeout applies only to --prove and --run");
   expect_refused("judge --run cat", "name with --as what the program computes");
   expect_refused("judge --run cat --as ?", "name with --as what the program computes");
   expect_refused("judge --run cat --as cossin", "choose an operation of check");

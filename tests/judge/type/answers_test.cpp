@@ -19,10 +19,10 @@ struct Counter {
   int asked = 0;
   Satisfiability verdict = Satisfiability::unsatisfiable;
 
-  Ask ask() {
-    return [this](const std::string& /*script*/) -> proof::SolverAnswer {
+  std::function<proof::SolverAnswer()> ask() {
+    return [this] {
       ++asked;
-      return {.verdict = verdict};
+      return proof::SolverAnswer{.verdict = verdict};
     };
   }
 };

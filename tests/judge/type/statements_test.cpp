@@ -24,6 +24,8 @@ constexpr std::uint64_t cases_of_each = 4;
 /// Every so many of the goals, which are of the same kinds in each format.
 constexpr std::size_t one_in = 3;
 
+const MayHold any_may_hold = [](sym::Term) { return true; };
+
 /// A goal, and the paths of its function.
 struct Followed {
   const Goal& goal;
@@ -36,7 +38,7 @@ struct Followed {
     Listing listing(image);
     const Signature& s = goal.signature;
     const Frame frame = convention_of_64_bits(false, s.operands, s.result_bits);
-    SymbolicRun run = run_symbolically(image, frame, s, listing, terms);
+    SymbolicRun run = run_symbolically(image, frame, s, listing, terms, any_may_hold);
     if (run.obstacle.empty()) paths = std::move(run.paths);
   }
 
