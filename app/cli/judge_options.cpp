@@ -38,7 +38,7 @@ void expect_effects(const CLI::App& command) {
        "--rule", "--level", "--seed", "--shard", "--cases", "--show", "--processes", "--timeout"});
   if (command.count("--run") > 0) return;
   if (command.count("--timeout") > 0 && command.count("--prove") == 0) {
-    throw support::UsageError("--timeout applies only to --prove and --run; leave it out");
+    throw support::UsageError("--timeout requires --prove or --run");
   }
   if (command.count("file") == 0) {
     throw support::UsageError(
