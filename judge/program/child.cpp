@@ -53,6 +53,8 @@ void never_block(const support::Descriptor& end) {
 }  // namespace
 
 Child::Child(const std::string& command) {
+  // A program that no longer reads is an answer, not this process's end.
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   Pipe input = make_pipe();
   Pipe output = make_pipe();
   Pipe errors = make_pipe();
