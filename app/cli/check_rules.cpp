@@ -42,22 +42,6 @@ void set_rule(std::string_view option, const std::string& text, std::span<const 
   word = oracle::wrap(units, wide);
 }
 
-/// Returns the bound of --within: a number of ulps, or a percentage of the exact result.
-check::Within within_of(std::string_view text) {
-  const std::string whole(text);
-  const bool is_relative = text.ends_with('%');
-  if (is_relative) text.remove_suffix(1);
-  try {
-    check::Within within{check::parse_decimal(text), is_relative, whole};
-    if (within.bound.numerator < 0) throw support::UsageError("a bound is not negative");
-    if (is_relative) within.bound.denominator *= 100;
-    return within;
-  } catch (const support::UsageError& error) {
-    throw support::UsageError(fmt::format(
-        "--within: write a number of ulps such as 2, or a share such as 0.5%; {}", error.what()));
-  }
-}
-
 void set_rounding(const RuleOptions& options, check::Rules& rules) {
   if (!options.within.empty()) {
     rules.within = within_of(options.within);
@@ -104,6 +88,21 @@ void refuse_idle_options(const CLI::App& command, const RuleOptions& options,
 }
 
 }  // namespace
+
+check::Within within_of(std::string_view text) {
+  const std::string whole(text);
+  const bool is_relative = text.ends_with('%');
+  if (is_relative) text.remove_suffix(1);
+  try {
+    check::Within within{check::parse_decimal(text), is_relative, whole};
+    if (within.bound.numerator < 0) throw support::UsageError("a bound is not negative");
+    if (is_relative) within.bound.denominator *= 100;
+    return within;
+  } catch (const support::UsageError& error) {
+    throw support::UsageError(fmt::format(
+        "--within: write a number of ulps such as 2, or a share such as 0.5%; {}", error.what()));
+  }
+}
 
 std::string_view no_result_option(cases::Operation operation) {
   if (cases::is_function(operation)) return "--outside-domain";

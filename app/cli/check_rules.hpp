@@ -21,6 +21,10 @@ struct RuleOptions {
   std::string outside_domain = "de";
 };
 
+/// Returns the bound of --within: a number of ulps, or a percentage of the exact result.
+/// @throws UsageError for any other text
+check::Within within_of(std::string_view text);
+
 /// Adds --rounding, --within, --overflow, --rule and the options for operands without a result.
 /// `options` must outlive the command.
 void add_rule_options(CLI::App& command, RuleOptions& options);

@@ -10,10 +10,10 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/judge_listing.hpp"
 #include "app/cli/judge_options.hpp"
+#include "app/cli/judge_program.hpp"
+#include "app/cli/judge_rules.hpp"
 #include "app/cli/judge_text.hpp"
-#include "app/cli/port_option.hpp"
 #include "app/cli/proof_progress.hpp"
-#include "app/cli/rule_named.hpp"
 #include "app/cli/words.hpp"
 #include "judge/code/clocks.hpp"
 #include "judge/code/code_width.hpp"
@@ -34,10 +34,6 @@ namespace {
 /// Shorter names of operations that only this command takes.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> short_names{
     {{"muldiv", "mul_div"}, {"sin_cos", "cossin"}, {"transform", "xformvec"}}};
-
-bool is_whole(cases::Operation operation) {
-  return operation == cases::Operation::cossin || operation == cases::Operation::xformvec;
-}
 
 cases::Operation operation_of(std::string_view name) {
   for (const auto& [shorter, known] : short_names) {
@@ -103,53 +99,6 @@ cases::Variant judged_variant(cases::Operation operation, const cases::Format& f
   cases::Variant variant = cases::variant_of(operation, format);
   if (operation == cases::Operation::cossin) variant.build.target = cases::Target::i386;
   return variant;
-}
-
-check::Rules rules_of(const JudgeOptions& options, const cases::Variant& variant) {
-  if (!options.rule.empty()) {
-    return port_rules_named(options.rule, variant);
-  }
-  check::Rules rules{.variant = variant};
-  const bool rounds = !is_whole(variant.operation) && check::is_rounded(variant);
-  if (!options.rounding.empty()) {
-    if (!rounds) throw support::UsageError("--rounding applies only to results that are rounded");
-    rules.rounding = rule_named("--rounding", options.rounding, check::roundings());
-  }
-  rules.overflow = rule_named("--overflow", options.overflow, check::overflow_rules(),
-                              std::optional(check::Overflow::any));
-  const auto no_result = check::no_result_rules(variant.operation);
-  rules.no_result = no_result.empty() ? check::NoResult::any
-                                      : rule_named("--no-result", options.no_result, no_result,
-                                                   std::optional(check::NoResult::any));
-  return rules;
-}
-
-/// Where the rounding of a verdict comes from.
-enum class Rounding { given, fitting, unknown };
-
-std::string rules_line(const check::Rules& rules, Rounding rounding) {
-  std::string text = fmt::format("{} {}: ", cases::name_of(rules.variant.operation),
-                                 cases::name_of(rules.variant.format));
-  if (is_whole(rules.variant.operation)) return text + "every rule is tried";
-  if (rules.port != nullptr) {
-    return text + fmt::format("{}{}", port_text(*rules.port),
-                              rounding == Rounding::fitting ? ", which fits" : "");
-  }
-  if (!check::is_rounded(rules.variant)) {
-    text += "exact";
-  } else if (rounding == Rounding::unknown) {
-    text += "any rounding";
-  } else {
-    text += fmt::format("{}{}", check::name_of(rules.rounding),
-                        rounding == Rounding::fitting ? ", the rounding that fits best" : "");
-  }
-  if (check::can_overflow(rules.variant)) {
-    text += fmt::format("; overflow {}", check::name_of(rules.overflow));
-  }
-  if (check::can_lack_result(rules.variant)) {
-    text += fmt::format("; without a result {}", check::name_of(rules.no_result));
-  }
-  return text;
 }
 
 judge::Subject subject_of(const JudgeOptions& options, const judge::Image& image,
@@ -300,6 +249,7 @@ int judge_whole_results(const JudgeOptions& options, const judge::Subject& subje
 int judge_file(const JudgeOptions& given, const CLI::App& command) {
   const support::Interrupt interrupt;
   expect_effects(command);
+  if (!given.run.program.empty()) return judge_program(given, command);
   if (!given.listing.routines.empty()) {
     return judge_against_listings(given.file, given.at, given.listing);
   }

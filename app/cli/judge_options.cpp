@@ -29,6 +29,21 @@ void expect_only(const CLI::App& command, const std::string& mode,
 }  // namespace
 
 void expect_effects(const CLI::App& command) {
+  if (command.count("--run") > 0 && command.count("file") > 0) {
+    throw support::UsageError("--run and a file both name what to judge; leave one out");
+  }
+  expect_only(
+      command, "--run",
+      {"--as", "--format", "--to", "--terms", "--rounding", "--within", "--overflow", "--no-result",
+       "--rule", "--level", "--seed", "--shard", "--cases", "--show", "--processes", "--timeout"});
+  if (command.count("--run") > 0) return;
+  if (command.count("--timeout") > 0 && command.count("--prove") == 0) {
+    throw support::UsageError("--timeout requires --prove or --run");
+  }
+  if (command.count("file") == 0) {
+    throw support::UsageError(
+        "what is judged? Name the file of a routine, or a program: --run './mine'");
+  }
   expect_only(command, "--list", {"file", "--at", "--symbol", "--bits"});
   expect_only(command, "--trace",
               {"file", "--at", "--symbol", "--bits", "--as", "--frame", "--format"});
@@ -37,13 +52,39 @@ void expect_effects(const CLI::App& command) {
                "--chapter", "--repaired"});
 }
 
+void RunOptions::add_to(CLI::App& command) {
+  CLI::Option* const runs =
+      command
+          .add_option("--run", program,
+                      "judge a program: a command of the shell that reads the cases of gen and "
+                      "writes a result per line")
+          ->check(not_empty());
+  const auto of_run = [runs](CLI::Option* option) { option->needs(runs); };
+  of_run(command.add_option("--to", to, "format of the program's results; by default --format")
+             ->check(not_empty()));
+  of_run(command.add_option("--terms", terms, "number of products of dot")
+             ->transform(whole_number(1, cases::max_terms))
+             ->capture_default_str());
+  of_run(command
+             .add_option("--within", within,
+                         "the largest error of a program that is right, in ulps (2) or of the "
+                         "exact result (0.5%)")
+             ->check(not_empty())
+             ->excludes(command.get_option("--rounding"))
+             ->excludes(command.get_option("--rule")));
+  of_run(command
+             .add_option("--processes", processes,
+                         "number of processes of the program; by default one, or one for each "
+                         "processor if it would take over 2 seconds")
+             ->transform(whole_number(1, 1024)));
+}
+
 void JudgeOptions::add_to(CLI::App& command) {
   command
       .add_option("file", file,
                   "the file with the routine: C or C++ source ($CC, $CXX), an ELF object, program, "
                   "firmware or shared library, a .COM, MZ .EXE, NASM source or flat binary; "
-                  "FILE:FUNCTION is FILE with --symbol FUNCTION")
-      ->required()
+                  "FILE:FUNCTION is FILE with --symbol FUNCTION; required unless --run is given")
       ->check(not_empty());
   command
       .add_option(
@@ -100,7 +141,12 @@ void JudgeOptions::add_to(CLI::App& command) {
   CLI::Option* const proves = command.add_flag(
       "--prove", prove, "also prove the routine for all operands, or find a case that fails");
   solver.add_to(command);
-  for (const char* name : {"--solver", "--timeout"}) command.get_option(name)->needs(proves);
+  command.get_option("--solver")->needs(proves);
+  command.get_option("--timeout")
+      ->default_str("")
+      ->description(
+          "seconds: of --prove the limit per question, by default 30; of --run the longest time "
+          "in which a program neither reads nor writes, by default 60");
   command.add_flag(
       "--clocks", clocks,
       "also count the clocks of calls on an 8088, 286, 386 and 486, by Intel's tables, "
@@ -114,6 +160,7 @@ void JudgeOptions::add_to(CLI::App& command) {
           "00020000'")
       ->check(not_empty());
   listing.add_to(command);
+  run.add_to(command);
   command.footer(
       R"(The routine runs on every case of `fixproof gen`, in a process of its own that can open no file and
 start no program. It runs on this processor, or on Unicorn if the processor cannot run it. An ELF
@@ -131,6 +178,11 @@ empty, and DS, SS and the x87's control word as they were.
   sin_cos             tenths of a degree (16 bits) -> cosine and sine, or pointers to them
   transform           pointers to 12, 3 and 3 numbers: matrix, vector, result
 
+--run judges a program in any language instead: it reads the lines of `fixproof gen` and writes one
+result per line, 8 lower-case hex digits or DE, as for `fixproof check`. Lines that start with # are skipped. A program
+that ends, hangs or writes what is no result is BROKEN, and the verdict names the case. --as then takes every operation
+of check, and --format every format.
+
 Exit status: 0 if all results are right and there is no defect, 1 if there is one, 2 for bad usage
 or input, 130 if interrupted.
 
@@ -144,6 +196,8 @@ Examples:
   fixproof judge doom.o --symbol FixedDiv --as div --rule doom
   fixproof judge fixed.o --symbol fix_div --as div --rounding toward-zero
   fixproof judge old.com --at 1a0h --as '?' --frame 'dx:ax, cx:bx -> dx:ax'
+  fixproof judge --run './mine' --as mul
+  fixproof judge --run 'python3 mine.py' --as div --rounding floor --no-result de
   fixproof judge demo1.exe --against-listing all --mul-round on --div-round off)");
 }
 

@@ -13,6 +13,18 @@
 
 namespace fixproof::cli {
 
+/// What --run takes besides.
+struct RunOptions {
+  std::string program;  ///< a command of the shell
+  std::string to;       ///< the format of the results; empty if it is that of the words
+  std::size_t terms = cases::Variant{}.terms;
+  std::string within;
+  std::size_t processes = 0;  ///< 0: as many as pay
+
+  /// Adds the options to a command, which must not outlive this object.
+  void add_to(CLI::App& command);
+};
+
 struct JudgeOptions {
   std::string file;
   std::string operation;
@@ -33,12 +45,13 @@ struct JudgeOptions {
   SolverOptions solver{.seconds = 30};
   std::string trace;
   ListingOptions listing;
+  RunOptions run;
 
   /// Adds the options and the help to a command, which must not outlive this object.
   void add_to(CLI::App& command);
 };
 
-/// Refuses options that have no effect beside --list, --trace or --against-listing.
+/// Refuses options that have no effect beside --run, --list, --trace or --against-listing.
 /// @throws support::UsageError
 void expect_effects(const CLI::App& command);
 

@@ -176,21 +176,26 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
   return text;
 }
 
-std::string verdict_text(const judge::Subject& subject, const judge::Verdict& verdict) {
-  std::string text = calls_text(subject, verdict);
-  if (verdict.stuck || verdict.state) return text;
-  const check::Judge& judge = *verdict.judge;
+std::string judgement_text(const check::Judge& judge,
+                           const std::optional<check::JudgedCase>& smallest) {
+  const std::string_view cases = judge.cases() == 1 ? "case" : "cases";
+  std::string text;
   if (judge.wrong() == 0) {
-    text += fmt::format("AGREES on {} {}\n", support::grouped(judge.cases()),
-                        judge.cases() == 1 ? "case" : "cases");
+    text = fmt::format("AGREES on {} {}\n", support::grouped(judge.cases()), cases);
   } else {
-    text += fmt::format("WRONG in {} of {} {}\n", support::grouped(judge.wrong()),
-                        support::grouped(judge.cases()), judge.cases() == 1 ? "case" : "cases");
-    if (verdict.smallest) {
-      text += fmt::format("  smallest: {}\n", smallest_text(*verdict.smallest, verdict.rules));
+    text = fmt::format("WRONG in {} of {} {}\n", support::grouped(judge.wrong()),
+                       support::grouped(judge.cases()), cases);
+    if (smallest) {
+      text += fmt::format("  smallest: {}\n", smallest_text(*smallest, judge.rules()));
     }
   }
   return text + '\n' + check::verdict_text(judge);
+}
+
+std::string verdict_text(const judge::Subject& subject, const judge::Verdict& verdict) {
+  const std::string text = calls_text(subject, verdict);
+  if (verdict.stuck || verdict.state) return text;
+  return text + judgement_text(*verdict.judge, verdict.smallest);
 }
 
 std::string whole_text(const judge::Subject& subject, const judge::WholeVerdict& whole) {

@@ -2,6 +2,7 @@
 /// The verdict of `judge` as text.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "judge/code/clocks.hpp"
@@ -20,6 +21,10 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
 
 /// Returns the verdict with the counts, the rules and what the wrong cases have in common.
 std::string verdict_text(const judge::Subject& subject, const judge::Verdict& verdict);
+
+/// Returns the line AGREES or WRONG, the smallest wrong case, the counts and the rules.
+std::string judgement_text(const check::Judge& judge,
+                           const std::optional<check::JudgedCase>& smallest);
 
 /// Returns the verdict on results of several words.
 std::string whole_text(const judge::Subject& subject, const judge::WholeVerdict& whole);

@@ -14,19 +14,6 @@ namespace fixproof::check {
 
 namespace {
 
-/// Returns the words in hex and, in parentheses, their values; the operand of a conversion
-/// likewise.
-std::string text_of_operands(const JudgedCase& one, const Rules& rules) {
-  if (one.valued) return text_of(*one.valued, rules.variant);
-  std::string decimal;
-  const auto values = one.values().words();
-  for (std::size_t i = 0; i < cases::words_in(rules.variant.operation); ++i) {
-    decimal +=
-        fmt::format("{}{}", i == 0 ? "" : " ", decimal_text(values[i], rules.variant.format));
-  }
-  return fmt::format("{} ({})", line_of_operands(one, rules), decimal);
-}
-
 std::string table_line(std::string_view name, KindTally all, KindTally negative) {
   return fmt::format("{:<16} {:>13} {:>12}  {:>13} {:>12}\n", name, support::grouped(all.cases),
                      support::grouped(all.wrong), support::grouped(negative.cases),
@@ -80,6 +67,17 @@ std::string common_text(const Judge& judge) {
 }
 
 }  // namespace
+
+std::string text_of_operands(const JudgedCase& one, const Rules& rules) {
+  if (one.valued) return text_of(*one.valued, rules.variant);
+  std::string decimal;
+  const auto values = one.values().words();
+  for (std::size_t i = 0; i < cases::words_in(rules.variant.operation); ++i) {
+    decimal +=
+        fmt::format("{}{}", i == 0 ? "" : " ", decimal_text(values[i], rules.variant.format));
+  }
+  return fmt::format("{} ({})", line_of_operands(one, rules), decimal);
+}
 
 std::string line_of_operands(const JudgedCase& one, const Rules& rules) {
   if (one.valued) return one.valued->text;

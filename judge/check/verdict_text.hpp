@@ -8,6 +8,10 @@
 
 namespace fixproof::check {
 
+/// Returns the words in hex and, in parentheses, their values; the operand of a conversion
+/// likewise.
+std::string text_of_operands(const JudgedCase& one, const Rules& rules);
+
 /// Returns one line with the case, the expected and the actual result, and the exact result.
 std::string text_of(const JudgedCase& one, const Rules& rules);
 

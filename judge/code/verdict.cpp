@@ -2,41 +2,22 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
-#include "judge/check/verdict_text.hpp"
+#include "judge/check/case_words.hpp"
+#include "judge/check/fitting.hpp"
 #include "judge/code/answering.hpp"
 #include "oracle/exact.hpp"
-#include "verify/cases/words.hpp"
 #include "verify/shrink.hpp"
 
 namespace fixproof::judge {
 
 namespace {
 
-/// The number of cases that find the rounding. All cases then judge by it.
-constexpr std::uint64_t cases_for_guess = 20'000;
-/// The same for results of several words, for which each rule takes longer.
+/// As check::cases_for_guess, for results of several words, for which each rule takes longer.
 constexpr std::uint64_t cases_for_choice = 2000;
 
 bool is_right(const check::Rules& rules, const check::JudgedCase& one) {
   return check::keeps(rules, one.operands(), one.said);
-}
-
-/// Returns a measure of a case that grows with the bits of its operands.
-int size_of(const cases::Variant& v, std::span<const std::uint32_t> words) {
-  const std::uint64_t sign = std::uint64_t{1} << (v.format.word_bits - 1);
-  int size = 0;
-  if (v.format.word_bits > 32) {
-    for (const std::uint32_t word : words) size += std::popcount(word);
-    return size;
-  }
-  for (const std::uint32_t word : words) {
-    const bool negative = v.format.is_signed && (word & sign) != 0;
-    const std::uint64_t magnitude = negative ? 2 * sign - word : word;
-    size += 2 * static_cast<int>(std::bit_width(magnitude)) + (negative ? 1 : 0);
-  }
-  return size;
 }
 
 /// Returns the simplest wrong case that shrinking a wrong case finds. Returns nothing if the case
@@ -81,7 +62,7 @@ struct Judging {
           const std::uint64_t before = verdict.judge->wrong();
           verdict.judge->add(one);
           if (verdict.judge->wrong() == before) return;
-          const int size = size_of(subject.variant, words);
+          const int size = check::size_of(subject.variant, words);
           if (!smallest.empty() && size >= smallest_size) return;
           smallest.assign(words.begin(), words.end());
           smallest_size = size;
@@ -93,15 +74,7 @@ struct Judging {
 
 check::JudgedCase judged_case(const cases::Variant& variant, std::span<const std::uint32_t> words,
                               const Answer& answer) {
-  check::JudgedCase one;
-  if (check::is_judged_by_value(variant)) {
-    std::string line;
-    cases::append_operands(line, variant, words);
-    one.valued = check::parse_valued(line, variant);
-  } else {
-    check::join_words(words, variant.format,
-                      std::span(one.words).first(cases::words_in(variant.operation)));
-  }
+  check::JudgedCase one = check::case_of(variant, words);
   if (answer.ending.end == End::returned) {
     std::array<std::uint64_t, 1> said{};
     check::join_words(answer.words, variant.format, said);
@@ -113,24 +86,15 @@ check::JudgedCase judged_case(const cases::Variant& variant, std::span<const std
 Verdict judge_routine(const Subject& subject, const VerdictOptions& options) {
   VerdictOptions used = options;
   if (options.rounding_is_open) {
-    used.cases.cases = std::min(options.cases.cases.value_or(cases_for_guess), cases_for_guess);
+    used.cases.cases =
+        std::min(options.cases.cases.value_or(check::cases_for_guess), check::cases_for_guess);
     used.progress = {};
     Judging guess{subject, used};
     guess.verdict.rules = options.rules;
     guess.run();
     if (guess.verdict.stuck || guess.verdict.state) return std::move(guess.verdict);
     used = options;
-    const auto best = guess.verdict.judge->trial().rounding().rules.front();
-    used.rules.rounding = check::roundings()[best];
-    // A program's own rule tells more than a rounding with exceptions, unless the user says what to
-    // expect of an overflow or without a result.
-    const auto ports = guess.verdict.judge->ports().followed();
-    const bool is_open =
-        used.rules.overflow == check::Overflow::any && used.rules.no_result == check::NoResult::any;
-    if (is_open && guess.verdict.judge->trial().rounding().first.exceptions.count() > 0 &&
-        !ports.empty()) {
-      used.rules = check::rules_of(*ports.front(), used.rules.variant.format);
-    }
+    used.rules = check::fitting_rules(*guess.verdict.judge);
   }
   Judging judging{subject, used};
   judging.verdict.rules = used.rules;

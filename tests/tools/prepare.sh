@@ -25,6 +25,8 @@ import_packages=(clang git pkg-config)
 # shellcheck disable=SC2034
 scale_packages=(parallel procps slurmctld slurmd slurm-client munge)
 # shellcheck disable=SC2034
+language_packages=(rustc golang-go mono-mcs mono-runtime nodejs iverilog verilator ghdl)
+# shellcheck disable=SC2034
 python_packages=(python3 python3-numpy python3-pytest python3-hypothesis python3-pip python3-setuptools python3-wheel)
 
 say() { printf 'fixproof: %s\n' "$*" >&2; }
