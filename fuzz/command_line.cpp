@@ -1,8 +1,8 @@
 // Target `command_line`: a whole run of `fixproof`, in this process. Each line of the input is one
 // argument. After a line `--` comes standard input, and after a second one the contents of the file
 // `file`. The run must end with a documented status, and with a message on one line for status 2.
-// Arguments that lead out of the folder of the run are not tried. No solver is found, because no
-// run may start a process.
+// Arguments that lead out of the folder of the run are not tried, nor is `--run`, which hands its
+// value to a shell. No solver is found, because no run may start a process.
 #include "app/cli/command_line.hpp"
 
 #include <fcntl.h>
@@ -78,6 +78,8 @@ bool stays_in_folder(const std::string& argument) {
   return rest.find('/') == std::string_view::npos && rest.find("..") == std::string_view::npos &&
          rest.find('\0') == std::string_view::npos && !rest.starts_with('~');
 }
+
+bool starts_a_shell(const std::string& argument) { return argument.starts_with("--run"); }
 
 /// The folder of the runs.
 class Folder {
@@ -285,6 +287,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static_cast<void>(prepared);
   const Input input = read_input(std::string(data, data + size));
   if (!std::all_of(input.arguments.begin(), input.arguments.end(), stays_in_folder)) return 0;
+  if (std::any_of(input.arguments.begin(), input.arguments.end(), starts_a_shell)) return 0;
   const RunResult once = run(input);
   check_result(input, once);
   if (!is_repeatable(input) || once.interrupted) return 0;
