@@ -115,7 +115,10 @@ std::vector<std::string> libraries_of(const std::string& compiler, bool is_thumb
     command.emplace_back("-print-libgcc-file-name");
     std::string path = first_line(run_compiler(command, "", most_time).out);
     const bool is_new = std::ranges::find(paths, path) == paths.end();
-    if (std::filesystem::exists(path) && is_new) paths.push_back(std::move(path));
+    // Without a library for these options, the compiler prints a name without a folder.
+    const bool is_there =
+        std::filesystem::path(path).is_absolute() && std::filesystem::exists(path);
+    if (is_there && is_new) paths.push_back(std::move(path));
   };
   add(options);
   if (!options.empty()) return paths;
