@@ -58,7 +58,7 @@ TEST(ProgramVerdict, IsTheSameOnAnyNumberOfProcesses) {
   }
 }
 
-/// Keeps all results to the end, so that none shows which case was the last.
+/// A program that prints all results at its end. So none of them tells which case came last.
 std::string buffered(const std::string& body) {
   return "awk '" + body + " { all = all \"00000000\\n\" } END { printf \"%s\", all }'";
 }
