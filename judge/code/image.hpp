@@ -75,7 +75,8 @@ struct Image {
   }
 };
 
-/// What `container` says of an ELF file before and after linking.
+/// What `container` says of code without a header, and of an ELF file before and after linking.
+inline constexpr const char* flat_container = "flat binary";
 inline constexpr const char* object_container = "ELF object";
 inline constexpr const char* linked_container = "linked ELF file";
 /// What `container` says of a program in DOS's format with relocations.

@@ -88,7 +88,8 @@ TEST_F(JudgeLinkedElf, AStrippedLibraryHasItsDynamicSymbols) {
   for (const int bits : {32, 64}) {
     const std::string file = linked(folder, bits, linked_product(bits), shared + "|-s");
     expect(judge(file, quickly + "|--symbol|mul"), 0, {"AGREES on 5,000 cases"});
-    command::expect_usage_error(judge(file, quickly), "give --symbol; choose one of ");
+    command::expect_usage_error(
+        judge(file, quickly), "name the routine as FILE:ROUTINE or with --symbol; choose one of ");
     const std::string without = linked(folder, bits, linked_product(bits), program + "|-s");
     command::expect_usage_error(judge(without, quickly),
                                 "the linked ELF file has no global function");

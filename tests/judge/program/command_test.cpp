@@ -53,8 +53,8 @@ TEST(RunCommand, SaysHowAProgramFails) {
   EXPECT_EQ(dies.status, 1);
   expect_contains(dies.out,
                   "), even alone, the program ends by signal 8 "
-                  "(Floating point exception) without a result; it says 'oops'; write one line for "
-                  "every case, DE where there is no result\n");
+                  "(Floating point exception) without a result; it says 'oops'; read cases from "
+                  "standard input, and write one line for each, DE where there is no result\n");
   const auto few = run_of(plain("mul") + " | head -n 7", "--as mul --cases 2000");
   expect_contains(few.out,
                   " the program ends with status 0 without a result, after 7 results; read cases "
