@@ -42,7 +42,8 @@ struct Image {
   std::uint32_t entry_mode = 0;    ///< bit 0 for Thumb code
   std::uint32_t entry_end = 0;     ///< offset after the routine; 0 if unknown
   std::vector<Symbol> symbols;
-  std::vector<Symbol> missing;  ///< names that an object lacks, at addresses without memory
+  std::vector<Symbol> hidden{};  ///< static functions of a linked file; names may be there twice
+  std::vector<Symbol> missing;   ///< names that an object lacks, at addresses without memory
 
   std::vector<Region> regions{};  ///< memory of the file that is far from `memory`
   std::vector<Symbol> bases{};    ///< the values of symbols that registers point to

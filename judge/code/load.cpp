@@ -70,8 +70,10 @@ std::string shortened(const std::string& name) {
 }
 
 /// The names for a message, those of the compiler's library last.
-std::string names_of(std::vector<Symbol> symbols) {
+std::string names_of(const Image& image) {
   constexpr std::size_t shown = 20;
+  std::vector<Symbol> symbols = image.symbols;
+  symbols.insert(symbols.end(), image.hidden.begin(), image.hidden.end());
   std::ranges::stable_partition(
       symbols, [](const Symbol& symbol) { return !symbol.name.starts_with("__"); });
   std::string all;
@@ -88,17 +90,29 @@ void enter_symbol(Image& image, const std::string& name) {
     image.entry = named->offset;
     return;
   }
-  if (image.symbols.empty()) {
+  const auto count = std::ranges::count(image.hidden, name, &Symbol::name);
+  if (count > 1) {
+    throw UsageError(
+        fmt::format("--symbol {}: there are {} static functions of that name; use --at",
+                    support::quoted(name), count));
+  }
+  if (count == 1) {
+    image.entry = std::ranges::find(image.hidden, name, &Symbol::name)->offset;
+    return;
+  }
+  if (image.symbols.empty() && image.hidden.empty()) {
     throw UsageError(fmt::format("--symbol {}: this {} has no symbols; use --at",
                                  support::quoted(name), image.container));
   }
-  const std::string all = names_of(image.symbols);
+  const std::string all = names_of(image);
   if (name.empty()) {
     throw UsageError(
         fmt::format("name the routine as FILE:ROUTINE or with --symbol; choose one of {}", all));
   }
-  throw UsageError(fmt::format("--symbol {}: there is no such symbol; choose one of {}",
-                               support::quoted(name), all));
+  const bool is_object = image.container == object_container;
+  throw UsageError(fmt::format("--symbol {}: there is no such {}; choose one of {}",
+                               support::quoted(name), is_object ? "global function" : "symbol",
+                               all));
 }
 
 void find_entry(Image& image, const LoadOptions& options) {
@@ -107,7 +121,7 @@ void find_entry(Image& image, const LoadOptions& options) {
   const bool is_object = image.container == object_container;
   if (!is_object && image.container != linked_container) return;
   if (image.symbols.size() != 1) {
-    if (image.symbols.empty())
+    if (image.symbols.empty() && image.hidden.empty())
       throw UsageError(is_object ? "the object has no global function; make the routine global"
                                  : "the linked ELF file has no global function; give --at");
     enter_symbol(image, "");  // throws with the names

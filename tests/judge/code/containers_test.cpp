@@ -129,8 +129,8 @@ TEST(Containers, AnElfObject) {
   expect(judge(object, "--symbol|mul_cdecl|--as|mul" + few), 0,
          {"ELF object, routine at 1000h, 32-bit code", "must keep ebx, ebp, esi, edi"});
   const auto missing = judge(object, "--symbol|other|--as|mul");
-  command::expect_usage_error(missing,
-                              "--symbol 'other': there is no such symbol; choose one of mul_cdecl");
+  command::expect_usage_error(
+      missing, "--symbol 'other': there is no such global function; choose one of mul_cdecl");
 }
 
 TEST(Containers, WhatCannotBeReadIsSaid) {

@@ -97,6 +97,21 @@ TEST_F(JudgeLinkedElf, AStrippedLibraryHasItsDynamicSymbols) {
   }
 }
 
+TEST_F(JudgeLinkedElf, AStaticFunctionHasItsName) {
+  // As a linker that optimises the whole program leaves functions.
+  const std::string source =
+      "static mul:function\nmul: movsxd rax, edi\nmovsxd rsi, esi\nimul rax, rsi\n"
+      "add rax, 0x8000\nsar rax, 16\nret\n"
+      "global go:function, table:data\ngo: jmp mul\ntable: dd 0\n";
+  const std::string file = linked(folder, 64, source, program);
+  expect(judge(file + ":mul", quickly), 0, {"AGREES on 5,000 cases"});
+  command::expect_usage_error(judge(file + ":mull", quickly), "choose one of go, mul\n");
+  const std::string more = "static mul:function\nmul: ret\n";
+  const std::string both = linked(folder, 64, more, program + "|" + file + ".o", "both");
+  command::expect_usage_error(judge(both + ":mul", quickly),
+                              "there are 2 static functions of that name; use --at");
+}
+
 TEST_F(JudgeLinkedElf, ANameThatTheFileLacksIsNamedWhereItIsUsed) {
   const std::string names = "extern other\nglobal f:function\nf: ";
   for (const std::string& file :

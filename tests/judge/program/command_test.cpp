@@ -69,6 +69,14 @@ TEST(RunCommand, SaysHowAProgramFails) {
   expect_usage_error(run_of("./no_such_program", "--as mul"), "the shell cannot run it: ");
 }
 
+TEST(RunCommand, AProgramThatKeepsSomething) {
+  const auto run = run_of("awk '{ printf \"%08x\\n\", n++ % 251 }'", "--as mul --cases 50000");
+  EXPECT_EQ(run.status, 1) << run.err;
+  expect_contains(run.out,
+                  " the result differs from run to run: the program keeps something from case to "
+                  "case, or reads registers or memory that nothing sets\n");
+}
+
 TEST(RunCommand, RefusesOptionsWithoutEffect) {
   expect_refused("judge --as mul", "Name the file of a routine, or a program: --run");
   expect_refused("judge mine.o --run cat --as mul", "--run and a file both name what to judge");
