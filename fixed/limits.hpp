@@ -25,6 +25,7 @@ class std::numeric_limits<fixproof::number<Raw, FractionBits, P>> {
     using fixproof::detail::is_to_nearest;
     if (is_to_nearest<P.multiply> && is_to_nearest<P.divide>) return std::round_to_nearest;
     if (P.multiply != P.divide) return std::round_indeterminate;
+    if (P.multiply == fixproof::rounding::ceiling) return std::round_toward_infinity;
     return P.multiply == fixproof::rounding::floor ? std::round_toward_neg_infinity
                                                    : std::round_toward_zero;
   }

@@ -66,7 +66,8 @@ inline constexpr bool has_integer_quotient =
 /// Whether quotient.hpp also has the quotient in doubles, a form that compilers vectorise.
 template <class Raw, int FractionBits, policy P>
 inline constexpr bool has_fast_quotient =
-    has_integer_quotient<Raw, FractionBits, P>&& numerator_shift<FractionBits, P> <= 16;
+    has_integer_quotient<Raw, FractionBits, P>&& numerator_shift<FractionBits, P> <= 16 &&
+    P.divide != rounding::ceiling;
 
 /// Holds a numerator after its shift, and every quotient.
 template <class Raw, int FractionBits, policy P>

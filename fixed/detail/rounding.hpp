@@ -36,6 +36,8 @@ FIXED_ALWAYS_INLINE constexpr Int bias(bool negative, bool odd, Int unit) noexce
     return (unit >> 1) - Int{!odd};
   } else if constexpr (R == rounding::truncate) {
     return negative ? unit - Int{1} : Int{0};
+  } else if constexpr (R == rounding::ceiling) {
+    return unit - Int{1};
   } else {
     static_assert(R == rounding::floor);
     return Int{0};
@@ -64,6 +66,8 @@ constexpr bool rounds_up(std::strong_ordering order, bool exact, bool negative, 
     return std::is_gt(order) || (std::is_eq(order) && odd);
   } else if constexpr (R == rounding::truncate) {
     return negative && !exact;
+  } else if constexpr (R == rounding::ceiling) {
+    return !exact;
   } else {
     static_assert(R == rounding::floor);
     return false;
@@ -130,6 +134,8 @@ constexpr bool grows(Word rest, Word divisor, bool negative, bool odd) noexcept 
     return rest + Word{odd} > to_next;
   } else if constexpr (R == rounding::truncate) {
     return false;
+  } else if constexpr (R == rounding::ceiling) {
+    return !negative && rest != 0;
   } else {
     static_assert(R == rounding::floor);
     return negative && rest != 0;
