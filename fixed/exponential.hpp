@@ -208,17 +208,6 @@ FIXED_REFUSED_PLAIN(log1p)
 FIXED_REFUSED_PLAIN(sinh)
 FIXED_REFUSED_PLAIN(cosh)
 FIXED_REFUSED_PLAIN(tanh)
-// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function. One of the user's is a better
-// match, because it has no pack.
-#define FIXED_ABSENT(name, text)                      \
-  template <class N, class... T>                      \
-  requires detail::is_plain_number<N> N name(N, T...) \
-  FIXED_INSTEAD(text);
-FIXED_ABSENT(acosh, "no acosh: write log(x + sqrt(x * x - 1))")
-FIXED_ABSENT(asinh, "no asinh: write log(x + hypot(x, q16_16(1))) for x >= 0")
-FIXED_ABSENT(atanh, "no atanh: write (log1p(x) - log1p(-x)) / 2")
-FIXED_ABSENT(exp10, "no exp10: write pow(q16_16(10), x)")
-#undef FIXED_ABSENT
 /// @endcond
 
 }  // namespace FIXED_FUNCTIONS

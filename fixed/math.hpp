@@ -103,6 +103,15 @@ template <class Raw, int F, policy P>
   return a < b ? b : a;
 }
 
+/// The number from `low` to `high` that is nearest to x. It is `high` if `low` is the larger.
+///
+///     static_assert(clamp(q16_16(2.5), q16_16(-1), q16_16(1)) == 1);
+template <class Raw, int F, policy P>
+[[nodiscard]] constexpr number<Raw, F, P>(clamp)(number<Raw, F, P> x, number<Raw, F, P> low,
+                                                 number<Raw, F, P> high) noexcept {
+  return (min)((max)(x, low), high);
+}
+
 /// The number nearest to the square root, under every policy; there are no ties. The root of a
 /// negative number is 0; under overflow::trap it throws domain_error. Only in signed formats
 /// without a whole bit are some roots out of range. They throw an overflow_error under
@@ -296,6 +305,7 @@ requires detail::is_plain_number<To> && detail::is_plain_number<detail::element_
 FIXED_REFUSED_PLAIN(sqrt)
 FIXED_REFUSED_MIX(mul_add)
 FIXED_REFUSED_MIX(lerp)
+FIXED_REFUSED_MIX(clamp)
 /// @endcond
 
 }  // namespace fixproof

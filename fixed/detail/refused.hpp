@@ -1,5 +1,5 @@
 /// @file
-/// Operators and functions that do not compile, and what to write instead.
+/// Operators that do not compile, functions of <cmath> that the type does not have, and what to write instead.
 #pragma once
 
 #include <concepts>
@@ -66,6 +66,32 @@ number<Raw, F, P> operator/(Int, number<Raw, F, P>)
 FIXED_REFUSED_SHIFT(<<)
 FIXED_REFUSED_SHIFT(>>)
 #undef FIXED_REFUSED_SHIFT
+
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function. One of the user's is a better
+// match, because it has no pack.
+#define FIXED_ABSENT(name, text)                      \
+  template <class N, class... T>                      \
+  requires detail::is_plain_number<N> N name(N, T...) \
+  FIXED_INSTEAD(text);
+FIXED_ABSENT(acosh, "no acosh: write log(x + sqrt(x * x - 1))")
+FIXED_ABSENT(asinh, "no asinh: write log(x + hypot(x, q16_16(1))) for x >= 0")
+FIXED_ABSENT(atanh, "no atanh: write (log1p(x) - log1p(-x)) / 2")
+FIXED_ABSENT(exp10, "no exp10: write pow(q16_16(10), x)")
+FIXED_ABSENT(fabs, "no fabs: write abs(x)")
+FIXED_ABSENT(fdim, "no fdim: write max(x, y) - y")
+FIXED_ABSENT(fma, "no fma: write mul_add(a, b, c), which rounds once, too")
+FIXED_ABSENT(fmax, "no fmax: write max(x, y)")
+FIXED_ABSENT(fmin, "no fmin: write min(x, y)")
+FIXED_ABSENT(ilogb, "no ilogb: write std::bit_width of the positive x.raw(), - 1 - fraction_bits")
+FIXED_ABSENT(ldexp, "no ldexp: write x << n, which rounds down if n is negative")
+FIXED_ABSENT(llrint, "no llrint: write to_integer<rounding::half_even>(x)")
+FIXED_ABSENT(llround, "no llround: write to_integer<rounding::half_away>(x)")
+FIXED_ABSENT(logb, "no logb: write std::bit_width of the positive x.raw(), - 1 - fraction_bits")
+FIXED_ABSENT(lrint, "no lrint: write to_integer<rounding::half_even>(x)")
+FIXED_ABSENT(lround, "no lround: write to_integer<rounding::half_away>(x)")
+FIXED_ABSENT(scalbln, "no scalbln: write x << n, which rounds down if n is negative")
+FIXED_ABSENT(scalbn, "no scalbn: write x << n, which rounds down if n is negative")
+#undef FIXED_ABSENT
 /// @endcond
 
 }  // namespace fixproof

@@ -114,6 +114,14 @@ FIXPROOF_RECORDED_1(acos, acos)
 #undef FIXPROOF_RECORDED_PAIR
 /// @endcond
 
+/// As clamp() of plain numbers: recorded as max() and min().
+template <class N>
+[[nodiscard]] constexpr recorded_number<N>(clamp)(
+    recorded_number<N> x, std::type_identity_t<recorded_number<N>> low,
+    std::type_identity_t<recorded_number<N>> high, record::place from = FIXPROOF_HERE) noexcept {
+  return (min)((max)(x, low, from), high, from);
+}
+
 /// @name Functions with two results
 /// \{
 
