@@ -73,40 +73,42 @@ template <class Number>
 ///
 ///     static_assert(sin(q16_16(1)) == q16_16(0.84147098480789650665));
 ///     static_assert(sin(q16_16(-32768)).raw() == -60808);  // -60807.99
-template <class Raw, int F, policy P>
-requires detail::has_radians<Raw, F>
-[[nodiscard]] constexpr number<Raw, F, P> sin(number<Raw, F, P> angle) noexcept {
-  return number<Raw, F, P>::from_raw(static_cast<Raw>(detail::nearest_sine<F>(angle.raw(), 0)));
+template <class Raw, int Point, policy Rules>
+requires detail::has_radians<Raw, Point>
+[[nodiscard]] constexpr number<Raw, Point, Rules> sin(number<Raw, Point, Rules> angle) noexcept {
+  return number<Raw, Point, Rules>::from_raw(
+      static_cast<Raw>(detail::nearest_sine<Point>(angle.raw(), 0)));
 }
 
 /// The number nearest to the cosine of any angle in radians, under every policy; there are no ties.
 ///
 ///     static_assert(cos(q16_16()) == q16_16(1) && cos(q16_16(-2)) == cos(q16_16(2)));
-template <class Raw, int F, policy P>
-requires detail::has_radians<Raw, F>
-[[nodiscard]] constexpr number<Raw, F, P> cos(number<Raw, F, P> angle) noexcept {
-  return number<Raw, F, P>::from_raw(
-      static_cast<Raw>(detail::nearest_sine<F>(angle.raw(), detail::quarter_turn)));
+template <class Raw, int Point, policy Rules>
+requires detail::has_radians<Raw, Point>
+[[nodiscard]] constexpr number<Raw, Point, Rules> cos(number<Raw, Point, Rules> angle) noexcept {
+  return number<Raw, Point, Rules>::from_raw(
+      static_cast<Raw>(detail::nearest_sine<Point>(angle.raw(), detail::quarter_turn)));
 }
 
 /// cos() and sin() of an angle in radians.
 ///
 ///     const auto [cos, sin] = fixproof::sin_cos(fixproof::q16_16(0.5));
-template <class Raw, int F, policy P>
-requires detail::has_radians<Raw, F>
-[[nodiscard]] constexpr cos_sin<number<Raw, F, P>> sin_cos(number<Raw, F, P> angle) noexcept {
+template <class Raw, int Point, policy Rules>
+requires detail::has_radians<Raw, Point>
+[[nodiscard]] constexpr cos_sin<number<Raw, Point, Rules>> sin_cos(
+    number<Raw, Point, Rules> angle) noexcept {
   return {cos(angle), sin(angle)};
 }
 
 /// @cond
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares functions
 #define FIXED_REFUSED_ANGLE(name)                                                           \
-  template <class Number, class T>                                                          \
-  requires std::is_arithmetic_v<T> Number name(T)                                           \
+  template <class Number, class Type>                                                       \
+  requires std::is_arithmetic_v<Type> Number name(Type)                                     \
   FIXED_INSTEAD("angles are numbers in radians, " #name "(q16_16(0.5)); in degrees: " #name \
                 "_of_tenths<q16_16>(300)");                                                 \
-  template <class Number, class T>                                                          \
-  requires(!std::integral<T>) Number name##_of_tenths(T)                                    \
+  template <class Number, class Type>                                                       \
+  requires(!std::integral<Type>) Number name##_of_tenths(Type)                              \
       FIXED_INSTEAD("angles are whole tenths of a degree: " #name                           \
                     "_of_tenths<q16_16>(300) is for 30.0 degrees");
 FIXED_REFUSED_ANGLE(sin)
