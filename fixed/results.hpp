@@ -129,31 +129,31 @@ requires detail::is_plain_number<To>
 ///     static_assert(sin_cos<q2_30>(q16_16()).cos == 1);
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr cos_sin<To> sin_cos(number<Raw, Point, Rules> angle) noexcept(
+[[nodiscard]] constexpr sin_and_cos<To> sin_cos(number<Raw, Point, Rules> angle) noexcept(
     To::never_throws) {
   FIXED_NEEDS_32_BITS(sin_cos, To);
   FIXED_NEEDS_32_BITS(sin_cos, number<Raw, Point, Rules>);
-  return {cos<To>(angle), sin<To>(angle)};
+  return {sin<To>(angle), cos<To>(angle)};
 }
 
 /// cos_of_degrees<To>() and sin_of_degrees<To>().
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr cos_sin<To> sin_cos_of_degrees(number<Raw, Point, Rules> angle) noexcept(
-    To::never_throws) {
+[[nodiscard]] constexpr sin_and_cos<To> sin_cos_of_degrees(
+    number<Raw, Point, Rules> angle) noexcept(To::never_throws) {
   FIXED_NEEDS_32_BITS(sin_cos_of_degrees, To);
   FIXED_NEEDS_32_BITS(sin_cos_of_degrees, number<Raw, Point, Rules>);
-  return {cos_of_degrees<To>(angle), sin_of_degrees<To>(angle)};
+  return {sin_of_degrees<To>(angle), cos_of_degrees<To>(angle)};
 }
 
 /// cos_of_turns<To>() and sin_of_turns<To>().
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr cos_sin<To> sin_cos_of_turns(number<Raw, Point, Rules> angle) noexcept(
+[[nodiscard]] constexpr sin_and_cos<To> sin_cos_of_turns(number<Raw, Point, Rules> angle) noexcept(
     To::never_throws) {
   FIXED_NEEDS_32_BITS(sin_cos_of_turns, To);
   FIXED_NEEDS_32_BITS(sin_cos_of_turns, number<Raw, Point, Rules>);
-  return {cos_of_turns<To>(angle), sin_of_turns<To>(angle)};
+  return {sin_of_turns<To>(angle), cos_of_turns<To>(angle)};
 }
 
 /// \}

@@ -18,25 +18,25 @@
 
 namespace fixproof {
 
-/// The result of sin_cos() and the functions like it.
+/// The result of sin_cos() and the functions like it. As in their names, the sine comes first.
 template <class Number>
-struct cos_sin {
-  Number cos;  ///< The cosine.
+struct sin_and_cos {
   Number sin;  ///< The sine.
+  Number cos;  ///< The cosine.
 
   /// Whether both members are equal.
-  friend constexpr bool operator==(const cos_sin&, const cos_sin&) = default;
+  friend constexpr bool operator==(const sin_and_cos&, const sin_and_cos&) = default;
 };
 
-/// The cosine and the sine of an angle in tenths of a degree, each rounded to nearest. Accepts any
+/// The sine and the cosine of an angle in tenths of a degree, each rounded to nearest. Accepts any
 /// value of any integer type; the period is 3600. The same under every policy.
 ///
-///     const auto [cos, sin] = fixproof::sin_cos_of_tenths<fixproof::q16_16>(450);
+///     const auto [sin, cos] = fixproof::sin_cos_of_tenths<fixproof::q16_16>(450);
 ///     // The period is 3600.
 ///     static_assert(sin_cos_of_tenths<q16_16>(-3300) == sin_cos_of_tenths<q16_16>(300));
 ///     static_assert(fixproof::sin_of_tenths<q16_16>(300) == q16_16(0.5));
 template <class Number>
-[[nodiscard]] constexpr cos_sin<Number> sin_cos_of_tenths(std::integral auto angle) noexcept {
+[[nodiscard]] constexpr sin_and_cos<Number> sin_cos_of_tenths(std::integral auto angle) noexcept {
   static_assert(std::is_signed_v<typename Number::raw_type> &&
                     detail::bits_of<typename Number::raw_type> <= 32 &&
                     Number::fraction_bits <= detail::bits_of<typename Number::raw_type> - 2 &&
@@ -54,7 +54,7 @@ template <class Number>
   const auto result = [sign](std::int32_t magnitude) {
     return Number::from_raw(static_cast<typename Number::raw_type>((magnitude ^ sign) - sign));
   };
-  return {result(table[step + turn / 4]), result(table[step])};
+  return {result(table[step]), result(table[step + turn / 4])};
 }
 
 /// The cosine of an angle in tenths of a degree; see sin_cos_of_tenths().
@@ -90,14 +90,14 @@ requires detail::has_radians<Raw, Point>
       static_cast<Raw>(detail::nearest_sine<Point>(angle.raw(), detail::quarter_turn)));
 }
 
-/// cos() and sin() of an angle in radians.
+/// sin() and cos() of an angle in radians.
 ///
-///     const auto [cos, sin] = fixproof::sin_cos(fixproof::q16_16(0.5));
+///     const auto [sin, cos] = fixproof::sin_cos(fixproof::q16_16(0.5));
 template <class Raw, int Point, policy Rules>
 requires detail::has_radians<Raw, Point>
-[[nodiscard]] constexpr cos_sin<number<Raw, Point, Rules>> sin_cos(
+[[nodiscard]] constexpr sin_and_cos<number<Raw, Point, Rules>> sin_cos(
     number<Raw, Point, Rules> angle) noexcept {
-  return {cos(angle), sin(angle)};
+  return {sin(angle), cos(angle)};
 }
 
 /// @cond

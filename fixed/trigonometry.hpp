@@ -156,30 +156,30 @@ template <class Raw, int Point, policy Rules>
 
 /// cos() and sin() of an angle in radians.
 ///
-///     const auto [cos, sin] = fixproof::sin_cos(fixproof::q2_30(0.5));
+///     const auto [sin, cos] = fixproof::sin_cos(fixproof::q2_30(0.5));
 template <class Raw, int Point, policy Rules>
 requires(!detail::has_radians<Raw, Point>)
-    [[nodiscard]] constexpr cos_sin<number<Raw, Point, Rules>> sin_cos(
+    [[nodiscard]] constexpr sin_and_cos<number<Raw, Point, Rules>> sin_cos(
         number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  return {cos(angle), sin(angle)};
+  return {sin(angle), cos(angle)};
 }
 
 /// cos_of_degrees() and sin_of_degrees().
 ///
 ///     static_assert(sin_cos_of_degrees(q16_16(90)).sin == 1);
 template <class Raw, int Point, policy Rules>
-[[nodiscard]] constexpr cos_sin<number<Raw, Point, Rules>> sin_cos_of_degrees(
+[[nodiscard]] constexpr sin_and_cos<number<Raw, Point, Rules>> sin_cos_of_degrees(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  return {cos_of_degrees(angle), sin_of_degrees(angle)};
+  return {sin_of_degrees(angle), cos_of_degrees(angle)};
 }
 
 /// cos_of_turns() and sin_of_turns().
 ///
 ///     static_assert(sin_cos_of_turns(q16_16(0.5)).cos == -1);
 template <class Raw, int Point, policy Rules>
-[[nodiscard]] constexpr cos_sin<number<Raw, Point, Rules>> sin_cos_of_turns(
+[[nodiscard]] constexpr sin_and_cos<number<Raw, Point, Rules>> sin_cos_of_turns(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  return {cos_of_turns(angle), sin_of_turns(angle)};
+  return {sin_of_turns(angle), cos_of_turns(angle)};
 }
 
 /// @cond

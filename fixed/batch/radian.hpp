@@ -68,11 +68,11 @@ void cos(const Angles& angles, Results&& results, path use = best()) noexcept {
   detail::sines(use, std::data(angles), std::data(results), count, detail::quarter_turn);
 }
 
-/// cosines[i] and sines[i] = fixproof::sin_cos(angles[i]); see sin(). One result may overwrite the
+/// sines[i] and cosines[i] = fixproof::sin_cos(angles[i]); see sin(). One result may overwrite the
 /// angles.
-template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Cosines,
-          detail::output_of<detail::element_t<Angles>> Sines>
-void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = best()) noexcept {
+template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Sines,
+          detail::output_of<detail::element_t<Angles>> Cosines>
+void sin_cos(const Angles& angles, Sines&& sines, Cosines&& cosines, path use = best()) noexcept {
   using Number = detail::element_t<Angles>;
   using raw = typename Number::raw_type;
   detail::check_radians<Number>();

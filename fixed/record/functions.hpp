@@ -131,19 +131,19 @@ template <class Number>
 
 /// As those of plain numbers.
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): defines functions
-#define FIXPROOF_RECORDED_COS_SIN(name)                                                  \
-  template <class Number>                                                                \
-  [[nodiscard]] constexpr cos_sin<recorded_number<Number>> name(                         \
-      recorded_number<Number> angle,                                                     \
-      record::place from = FIXPROOF_HERE) noexcept(noexcept(fixproof::name(Number()))) { \
-    const cos_sin<Number> result = record::detail::logged<record::kind::name, Number>(   \
-        from, [](Number x) { return fixproof::name(x); }, angle.value_);                 \
-    return {result.cos, result.sin};                                                     \
+#define FIXPROOF_RECORDED_SIN_COS(name)                                                    \
+  template <class Number>                                                                  \
+  [[nodiscard]] constexpr sin_and_cos<recorded_number<Number>> name(                       \
+      recorded_number<Number> angle,                                                       \
+      record::place from = FIXPROOF_HERE) noexcept(noexcept(fixproof::name(Number()))) {   \
+    const sin_and_cos<Number> result = record::detail::logged<record::kind::name, Number>( \
+        from, [](Number x) { return fixproof::name(x); }, angle.value_);                   \
+    return {result.sin, result.cos};                                                       \
   }
-FIXPROOF_RECORDED_COS_SIN(sin_cos)
-FIXPROOF_RECORDED_COS_SIN(sin_cos_of_degrees)
-FIXPROOF_RECORDED_COS_SIN(sin_cos_of_turns)
-#undef FIXPROOF_RECORDED_COS_SIN
+FIXPROOF_RECORDED_SIN_COS(sin_cos)
+FIXPROOF_RECORDED_SIN_COS(sin_cos_of_degrees)
+FIXPROOF_RECORDED_SIN_COS(sin_cos_of_turns)
+#undef FIXPROOF_RECORDED_SIN_COS
 // NOLINTEND(cppcoreguidelines-macro-usage)
 template <class Number>
 requires std::is_signed_v<typename Number::raw_type>
@@ -186,11 +186,12 @@ template <class Number>
 /// these. A parameter for the place would make the parameters differ.
 template <class Recorded>
 requires record::detail::is_recorded<Recorded>
-[[nodiscard]] constexpr cos_sin<Recorded> sin_cos_of_tenths(std::integral auto angle) noexcept {
+[[nodiscard]] constexpr sin_and_cos<Recorded> sin_cos_of_tenths(std::integral auto angle) noexcept {
   using Number = typename Recorded::plain_type;
-  const cos_sin<Number> result = record::detail::logged<record::kind::sin_cos_of_tenths, Number>(
-      record::nowhere, [](auto x) { return fixproof::sin_cos_of_tenths<Number>(x); }, angle);
-  return {result.cos, result.sin};
+  const sin_and_cos<Number> result =
+      record::detail::logged<record::kind::sin_cos_of_tenths, Number>(
+          record::nowhere, [](auto x) { return fixproof::sin_cos_of_tenths<Number>(x); }, angle);
+  return {result.sin, result.cos};
 }
 template <class Recorded>
 requires record::detail::is_recorded<Recorded>

@@ -71,8 +71,8 @@ constexpr std::array<value, 2> values_of(const overflowing<number<Raw, Point, Ru
   return {value_of(x.value), value_of(x.overflow)};
 }
 template <class Raw, int Point, policy Rules>
-constexpr std::array<value, 2> values_of(const cos_sin<number<Raw, Point, Rules>>& x) noexcept {
-  return {value_of(x.cos), value_of(x.sin)};
+constexpr std::array<value, 2> values_of(const sin_and_cos<number<Raw, Point, Rules>>& x) noexcept {
+  return {value_of(x.sin), value_of(x.cos)};
 }
 template <class First, class Second>
 constexpr std::array<value, 2> values_of(const std::pair<First, Second>& x) noexcept {

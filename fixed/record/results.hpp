@@ -22,15 +22,15 @@ namespace fixproof {
     return record::detail::logged<record::kind::kind_name, result>(                                \
         from, [](Number a) { return fixproof::name<result>(a); }, x.value_);                       \
   }
-#define FIXPROOF_RECORDED_COS_SIN_TO(name)                                                        \
+#define FIXPROOF_RECORDED_SIN_COS_TO(name)                                                        \
   template <class To, class Number>                                                               \
   requires any_number<To>                                                                         \
-  [[nodiscard]] constexpr cos_sin<To> name(                                                       \
+  [[nodiscard]] constexpr sin_and_cos<To> name(                                                   \
       recorded_number<Number> x, record::place from = FIXPROOF_HERE) noexcept(To::never_throws) { \
     using result = typename record::detail::plain_type_of<To>::type;                              \
-    const cos_sin<result> both = record::detail::logged<record::kind::name, result>(              \
+    const sin_and_cos<result> both = record::detail::logged<record::kind::name, result>(          \
         from, [](Number a) { return fixproof::name<result>(a); }, x.value_);                      \
-    return {both.cos, both.sin};                                                                  \
+    return {both.sin, both.cos};                                                                  \
   }
 // NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
 
@@ -44,9 +44,9 @@ FIXPROOF_RECORDED_TO(tan_of_degrees, tan_of_degrees)
 FIXPROOF_RECORDED_TO(sin_of_turns, sin_of_turns)
 FIXPROOF_RECORDED_TO(cos_of_turns, cos_of_turns)
 FIXPROOF_RECORDED_TO(tan_of_turns, tan_of_turns)
-FIXPROOF_RECORDED_COS_SIN_TO(sin_cos)
-FIXPROOF_RECORDED_COS_SIN_TO(sin_cos_of_degrees)
-FIXPROOF_RECORDED_COS_SIN_TO(sin_cos_of_turns)
+FIXPROOF_RECORDED_SIN_COS_TO(sin_cos)
+FIXPROOF_RECORDED_SIN_COS_TO(sin_cos_of_degrees)
+FIXPROOF_RECORDED_SIN_COS_TO(sin_cos_of_turns)
 FIXPROOF_RECORDED_TO(exp, exp)
 FIXPROOF_RECORDED_TO(exp2, exp2)
 FIXPROOF_RECORDED_TO(expm1, expm1)
@@ -61,7 +61,7 @@ FIXPROOF_RECORDED_TO(atan, atan)
 FIXPROOF_RECORDED_TO(asin, asin)
 FIXPROOF_RECORDED_TO(acos, acos)
 #undef FIXPROOF_RECORDED_TO
-#undef FIXPROOF_RECORDED_COS_SIN_TO
+#undef FIXPROOF_RECORDED_SIN_COS_TO
 /// @endcond
 
 /// As atan2<To>() of plain numbers.
