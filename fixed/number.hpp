@@ -18,6 +18,7 @@
 #include "fixed/detail/inlining.hpp"
 #include "fixed/detail/instead.hpp"
 #include "fixed/detail/integer.hpp"
+#include "fixed/detail/other_floats.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/raise.hpp"
 #include "fixed/detail/rounding.hpp"
@@ -128,6 +129,19 @@ class number {
     }
   }
 
+  /// The same for long double, for the types of 16 bits _Float16 and __fp16 where the compiler has
+  /// them, and for the types of C++23. A long double that is a pair of doubles is none of these.
+  ///
+  ///     static_assert(q32_32(0.1L).raw() == 429496730);  // 429496729.6
+  template <detail::other_float Float>
+  explicit constexpr number(Float value) noexcept(never_throws) {
+    if constexpr (detail::narrow_float<Float>) {
+      raw_ = number(static_cast<double>(value)).raw_;
+    } else {
+      raw_ = converted_in_integers(value);
+    }
+  }
+
   /// Converts a number of another format or policy. The policy of the result rounds excess fraction
   /// bits (policy::multiply) and handles overflow.
   ///
@@ -150,8 +164,8 @@ class number {
   // Conversions that do not compile. The pack, which is always empty, makes each of these a worse
   // match than an explicit conversion; so does volatile.
   template <class Type, class... Nothing>
-  requires(sizeof...(Nothing) == 0 && (detail::integer<Type> || std::is_floating_point_v<Type>))
-      number(Type, Nothing...)
+  requires(sizeof...(Nothing) == 0 && (detail::integer<Type> || std::is_floating_point_v<Type> ||
+                                       detail::is_half_float<Type>)) number(Type, Nothing...)
   FIXED_INSTEAD("conversions are explicit: write q16_16(value), or a literal such as 1.5_q16_16");
   template <class OtherRaw, int OtherBits, policy OtherRules, class... Nothing>
   requires(sizeof...(Nothing) == 0 &&
@@ -185,6 +199,17 @@ class number {
   /// The nearest float, ties to even, in every rounding mode of the processor.
   explicit constexpr operator float() const noexcept {
     return detail::to_float<float, FractionBits>(raw_);
+  }
+
+  /// The nearest long double: exact, unless it is no wider than double.
+  explicit constexpr operator long double() const noexcept {
+    if constexpr (std::numeric_limits<long double>::digits >= detail::bits_of<Raw>) {
+      constexpr int half = FractionBits / 2;
+      return static_cast<long double>(raw_) / static_cast<long double>(std::uint64_t{1} << half) /
+             static_cast<long double>(std::uint64_t{1} << (FractionBits - half));
+    } else {
+      return static_cast<double>(*this);
+    }
   }
 
   /// The whole part, truncated toward zero, as from double. If Int is too small, the result is
@@ -445,9 +470,12 @@ class number {
   /// \}
 
  private:
-  template <detail::binary_float Float>
+  template <class Float>
   static constexpr raw_type converted_in_integers(Float value) noexcept(never_throws) {
-    using wide = detail::signed_t<detail::larger(64, 2 * detail::bits_of<raw_type>)>;
+    using wide =
+        std::conditional_t<detail::binary_float<Float>,
+                           detail::signed_t<detail::larger(64, 2 * detail::bits_of<raw_type>)>,
+                           detail::wide_integer<3>>;
     using kind = typename detail::scaled_float<wide>::kind;
     const auto x = detail::scale<Rules.multiply, wide>(value, FractionBits);
     if (x.what == kind::finite || (x.what == kind::beyond && Rules.range == overflow::wrap)) {
