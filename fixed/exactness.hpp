@@ -22,8 +22,8 @@ namespace fixproof {
 namespace detail {
 
 /// a 2^-FA against b 2^-FB, for integers of at most BitsA and BitsB bits with the sign.
-template <int BitsA, int FA, int BitsB, int FB, class A, class B>
-constexpr std::strong_ordering order_of(const A& a, const B& b) noexcept {
+template <int BitsA, int FA, int BitsB, int FB, class IntA, class IntB>
+constexpr std::strong_ordering order_of(const IntA& a, const IntB& b) noexcept {
   constexpr int up_a = larger(FB - FA, 0);
   constexpr int up_b = larger(FA - FB, 0);
   using wide = signed_t<larger(BitsA + up_a, BitsB + up_b)>;
@@ -35,9 +35,9 @@ constexpr std::strong_ordering order_of(const A& a, const B& b) noexcept {
 }
 
 /// The product of two integers, exact.
-template <class A, class B>
-constexpr auto product_of(A a, B b) noexcept {
-  using wide = signed_t<signed_bits<A> + signed_bits<B>>;
+template <class RawA, class RawB>
+constexpr auto product_of(RawA a, RawB b) noexcept {
+  using wide = signed_t<signed_bits<RawA> + signed_bits<RawB>>;
   return wide{a} * wide{b};
 }
 
@@ -50,62 +50,68 @@ constexpr std::strong_ordering reversed_if(bool is_reversed, std::strong_orderin
 /// The value of x against r, as after a conversion.
 ///
 ///     static_assert(compare_value(q16_16(1.00390625), q8_8(q16_16(1.00390625))) == 0);
-template <class A, int FA, policy PA, class R, int FR, policy PR>
-[[nodiscard]] constexpr std::strong_ordering compare_value(number<A, FA, PA> x,
-                                                           number<R, FR, PR> r) noexcept {
-  return detail::order_of<detail::signed_bits<A>, FA, detail::signed_bits<R>, FR>(x.raw(), r.raw());
+template <class RawA, int FA, policy PA, class RawR, int FR, policy PR>
+[[nodiscard]] constexpr std::strong_ordering compare_value(number<RawA, FA, PA> x,
+                                                           number<RawR, FR, PR> r) noexcept {
+  return detail::order_of<detail::signed_bits<RawA>, FA, detail::signed_bits<RawR>, FR>(x.raw(),
+                                                                                        r.raw());
 }
 
 /// a + b against r.
-template <class A, int FA, policy PA, class B, int FB, policy PB, class R, int FR, policy PR>
-[[nodiscard]] constexpr std::strong_ordering compare_sum(number<A, FA, PA> a, number<B, FB, PB> b,
-                                                         number<R, FR, PR> r) noexcept {
+template <class RawA, int FA, policy PA, class RawB, int FB, policy PB, class RawR, int FR,
+          policy PR>
+[[nodiscard]] constexpr std::strong_ordering compare_sum(number<RawA, FA, PA> a,
+                                                         number<RawB, FB, PB> b,
+                                                         number<RawR, FR, PR> r) noexcept {
   constexpr int fraction = detail::larger(FA, FB);
-  constexpr int bits = detail::sum_bits<A, FA, B, FB>;
+  constexpr int bits = detail::sum_bits<RawA, FA, RawB, FB>;
   using wide = detail::signed_t<bits>;
-  return detail::order_of<bits, fraction, detail::signed_bits<R>, FR>(
+  return detail::order_of<bits, fraction, detail::signed_bits<RawR>, FR>(
       (wide{a.raw()} << (fraction - FA)) + (wide{b.raw()} << (fraction - FB)), r.raw());
 }
 
 /// a - b against r.
-template <class A, int FA, policy PA, class B, int FB, policy PB, class R, int FR, policy PR>
-[[nodiscard]] constexpr std::strong_ordering compare_difference(number<A, FA, PA> a,
-                                                                number<B, FB, PB> b,
-                                                                number<R, FR, PR> r) noexcept {
+template <class RawA, int FA, policy PA, class RawB, int FB, policy PB, class RawR, int FR,
+          policy PR>
+[[nodiscard]] constexpr std::strong_ordering compare_difference(number<RawA, FA, PA> a,
+                                                                number<RawB, FB, PB> b,
+                                                                number<RawR, FR, PR> r) noexcept {
   // a against b + r.
   return 0 <=> compare_sum(b, r, a);
 }
 
 /// a * b against r.
-template <class A, int FA, policy PA, class B, int FB, policy PB, class R, int FR, policy PR>
-[[nodiscard]] constexpr std::strong_ordering compare_product(number<A, FA, PA> a,
-                                                             number<B, FB, PB> b,
-                                                             number<R, FR, PR> r) noexcept {
-  constexpr int bits = detail::signed_bits<A> + detail::signed_bits<B>;
-  return detail::order_of<bits, FA + FB, detail::signed_bits<R>, FR>(
+template <class RawA, int FA, policy PA, class RawB, int FB, policy PB, class RawR, int FR,
+          policy PR>
+[[nodiscard]] constexpr std::strong_ordering compare_product(number<RawA, FA, PA> a,
+                                                             number<RawB, FB, PB> b,
+                                                             number<RawR, FR, PR> r) noexcept {
+  constexpr int bits = detail::signed_bits<RawA> + detail::signed_bits<RawB>;
+  return detail::order_of<bits, FA + FB, detail::signed_bits<RawR>, FR>(
       detail::product_of(a.raw(), b.raw()), r.raw());
 }
 
 /// n / d against r; unordered for a zero divisor.
-template <class N, int FN, policy PN, class D, int FD, policy PD, class R, int FR, policy PR>
-[[nodiscard]] constexpr std::partial_ordering compare_quotient(number<N, FN, PN> n,
-                                                               number<D, FD, PD> d,
-                                                               number<R, FR, PR> r) noexcept {
+template <class RawN, int FN, policy PN, class RawD, int FD, policy PD, class RawR, int FR,
+          policy PR>
+[[nodiscard]] constexpr std::partial_ordering compare_quotient(number<RawN, FN, PN> n,
+                                                               number<RawD, FD, PD> d,
+                                                               number<RawR, FR, PR> r) noexcept {
   if (d.raw() == 0) return std::partial_ordering::unordered;
   // n against r d, in the order that a negative divisor reverses.
-  constexpr int bits = detail::signed_bits<R> + detail::signed_bits<D>;
+  constexpr int bits = detail::signed_bits<RawR> + detail::signed_bits<RawD>;
   return detail::reversed_if(d.raw() < 0,
-                             detail::order_of<detail::signed_bits<N>, FN, bits, FR + FD>(
+                             detail::order_of<detail::signed_bits<RawN>, FN, bits, FR + FD>(
                                  n.raw(), detail::product_of(r.raw(), d.raw())));
 }
 
 /// The square root of x against r; unordered for a negative x.
-template <class A, int FA, policy PA, class R, int FR, policy PR>
-[[nodiscard]] constexpr std::partial_ordering compare_sqrt(number<A, FA, PA> x,
-                                                           number<R, FR, PR> r) noexcept {
+template <class RawA, int FA, policy PA, class RawR, int FR, policy PR>
+[[nodiscard]] constexpr std::partial_ordering compare_sqrt(number<RawA, FA, PA> x,
+                                                           number<RawR, FR, PR> r) noexcept {
   if (x.raw() < 0) return std::partial_ordering::unordered;
   if (r.raw() < 0) return std::partial_ordering::greater;
-  return detail::order_of<detail::signed_bits<A>, FA, 2 * detail::signed_bits<R>, 2 * FR>(
+  return detail::order_of<detail::signed_bits<RawA>, FA, 2 * detail::signed_bits<RawR>, 2 * FR>(
       x.raw(), detail::product_of(r.raw(), r.raw()));
 }
 

@@ -9,7 +9,7 @@
 ///     constexpr q16_16 half(0.5);                         // conversions are explicit
 ///     constexpr q16_16 x = q16_16(7) / q16_16(2) + half;
 ///     static_assert(x == q16_16(4) && x.raw() == 0x40000);
-///     const auto [cos, sin] = fixproof::sin_cos_of_tenths<q16_16>(450);  // 45.0 degrees
+///     const auto [sin, cos] = fixproof::sin_cos_of_tenths<q16_16>(450);  // 45.0 degrees
 ///     static_assert(fixproof::sin(half).raw() == 31420);       // of half a radian
 ///     static_assert(fixproof::exp(half).raw() == 108051);      // 108050.6
 ///     std::cout << x * cos << '\n';                       // exact decimal: 2.82843017578125

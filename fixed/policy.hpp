@@ -2,6 +2,8 @@
 /// The rules for rounding, overflow and division, and the named policies.
 #pragma once
 
+#include "fixed/detail/standard.hpp"
+
 namespace fixproof {
 
 /// The rule that chooses between the two neighbours of an inexact result.

@@ -10,6 +10,7 @@
 
 #include "fixed/detail/decimal.hpp"
 #include "fixed/detail/floating.hpp"
+#include "fixed/detail/other_floats.hpp"
 #include "fixed/detail/storage.hpp"
 
 #if __STDC_HOSTED__
@@ -58,6 +59,8 @@ std::string describe(binary_float auto x) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
+
+std::string describe(wide_float auto x) { return describe(static_cast<double>(x)); }
 
 /// @param what      "overflow", "divide error"
 /// @param operation as in the source: "operator+", "sqrt"

@@ -13,14 +13,14 @@ namespace fixproof::detail {
 
 /// Every integer of 8 to 64 bits except bool and the character types, which a program rarely means
 /// as numbers.
-template <class T>
-concept integer = std::integral<T> && sizeof(T) <= sizeof(std::uint64_t) &&
-                  !std::same_as<std::remove_cv_t<T>, bool> &&
-                  !std::same_as<std::remove_cv_t<T>, char> &&
-                  !std::same_as<std::remove_cv_t<T>, wchar_t> &&
-                  !std::same_as<std::remove_cv_t<T>, char8_t> &&
-                  !std::same_as<std::remove_cv_t<T>, char16_t> &&
-                  !std::same_as<std::remove_cv_t<T>, char32_t>;
+template <class Type>
+concept integer = std::integral<Type> && sizeof(Type) <= sizeof(std::uint64_t) &&
+                  !std::same_as<std::remove_cv_t<Type>, bool> &&
+                  !std::same_as<std::remove_cv_t<Type>, char> &&
+                  !std::same_as<std::remove_cv_t<Type>, wchar_t> &&
+                  !std::same_as<std::remove_cv_t<Type>, char8_t> &&
+                  !std::same_as<std::remove_cv_t<Type>, char16_t> &&
+                  !std::same_as<std::remove_cv_t<Type>, char32_t>;
 
 /// The width of an integer, the sign included.
 template <class Raw>

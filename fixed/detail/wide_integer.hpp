@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "fixed/detail/standard.hpp"
+
 namespace fixproof::detail {
 
 /// 128 bits: the compiler's integer if it has one and FIXED_NO_INT128 is not defined.
