@@ -154,7 +154,9 @@ template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
     if constexpr (detail::rounds_modulo<N>) {
       return detail::rounded_sum<N>(sum);
     } else {
-      return detail::rounded_sum<N>(sum, count);
+      return detail::rounded_sum<N>(sum, [count] {
+        detail::raise<overflow_error>("overflow", "dot", detail::term_count{count});
+      });
     }
   }
 }

@@ -125,8 +125,8 @@ requires record::detail::is_recorded<R>
 }
 
 /// The accumulator of recorded numbers. It records every term and the result.
-template <class N>
-class accumulator<recorded_number<N>> {
+template <class N, std::uint64_t Terms>
+class accumulator<recorded_number<N>, Terms> {
   using recorded = recorded_number<N>;
 
  public:
@@ -179,7 +179,7 @@ class accumulator<recorded_number<N>> {
     return *this;
   }
 
-  accumulator<N> sum_;
+  accumulator<N, Terms> sum_;
 };
 
 }  // namespace fixproof
