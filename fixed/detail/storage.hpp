@@ -30,8 +30,8 @@ inline constexpr int bits_of = std::numeric_limits<Raw>::digits + (std::is_signe
 template <class Raw>
 inline constexpr int signed_bits = std::numeric_limits<Raw>::digits + 1;
 
-/// Holds the product of an A and a B, a term of a Sum: at most 64 bits if they hold it, because
-/// processors of 32 bits add these to a wider sum with less work.
+/// Holds the product of a RawA and a RawB, a term of a Sum: at most 64 bits if they hold it,
+/// because processors of 32 bits add these to a wider sum with less work.
 template <class RawA, class RawB, class Sum>
 using term_t = std::conditional_t<(signed_bits<RawA> + signed_bits<RawB> <= 65),
                                   signed_t<signed_bits<RawA> + signed_bits<RawB> - 1>, Sum>;
