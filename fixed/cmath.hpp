@@ -174,13 +174,12 @@ template <class Raw, int Point, policy Rules>
 
 /// @cond
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares functions
-#define FIXED_NEEDS_SIGN(name, ...)                                                    \
-  template <std::unsigned_integral Raw, int Point, policy Rules>                       \
-  number<Raw, Point, Rules> name(number<Raw, Point, Rules>,                            \
-                                 number<Raw, Point, Rules> __VA_OPT__(, ) __VA_ARGS__) \
+#define FIXED_NEEDS_SIGN(name)                                                                  \
+  template <std::unsigned_integral Raw, int Point, policy Rules, class... Last>                 \
+  number<Raw, Point, Rules> name(number<Raw, Point, Rules>, number<Raw, Point, Rules>, Last...) \
       FIXED_INSTEAD("a remainder can be negative: convert to a signed format, as in q48_16(x)");
 FIXED_NEEDS_SIGN(remainder)
-FIXED_NEEDS_SIGN(remquo, int*)
+FIXED_NEEDS_SIGN(remquo)
 #undef FIXED_NEEDS_SIGN
 FIXED_REFUSED_MIX(fmod)
 FIXED_REFUSED_MIX(remainder)

@@ -30,7 +30,8 @@
 /// FIXED_SMALL. The functions of real numbers then have different names. FIXED_SMALL and some flags
 /// also replace hardware doubles by integers in roots, divides and conversions from double. These
 /// keep their names, so the linker keeps one of two definitions; both give the same bits. The units
-/// must agree on exceptions and on FIXED_NO_INT128, where two definitions would not agree.
+/// must agree on exceptions, on FIXED_ON_ERROR, the program's function for errors, and on
+/// FIXED_NO_INT128, where two definitions would not agree.
 #pragma once
 
 #include "fixed/angle.hpp"

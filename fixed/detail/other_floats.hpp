@@ -14,12 +14,18 @@
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/wide_integer.hpp"
 
+// g++ 12 has _Float16 in C++ on x86 alone, but its macro everywhere.
+#if defined(__FLT16_MANT_DIG__) && \
+    (defined(__clang__) || __GNUC__ >= 13 || (__GNUC__ == 12 && defined(__SSE2__)))
+#define FIXED_HAS_FLOAT16
+#endif
+
 namespace fixproof::detail {
 
 /// Types of 16 bits that the compiler has, but that std::is_floating_point may not know.
 template <class Type>
 inline constexpr bool is_half_float = false;
-#if defined(__FLT16_MANT_DIG__)
+#if defined(FIXED_HAS_FLOAT16)
 __extension__ using half_float = _Float16;
 template <>
 inline constexpr bool is_half_float<half_float> = true;

@@ -212,8 +212,8 @@ class wide_integer {
 
 template <std::size_t Words>
 struct wide_integer<Words>::division {
-  wide_integer quotient;
-  wide_integer remainder;
+  wide_integer quotient{};
+  wide_integer remainder{};
 };
 
 // One bit at a time: only formats of 64 bits come here, a few of 32 without 128-bit integers, and %

@@ -70,7 +70,7 @@ TEST(OtherFloats, EveryDoubleConvertsAsItself) {
   }
 }
 
-#if defined(__FLT16_MANT_DIG__)
+#if defined(FIXED_HAS_FLOAT16)
 TEST(OtherFloats, EveryHalfConvertsAsADouble) {
   __extension__ using half = _Float16;
   for (std::uint32_t i = 0; i <= 0xffff; ++i) {

@@ -123,7 +123,7 @@ class fault_recorder {
   }
 
   bool any_ = false;
-  std::array<fault_count, 4> found_;  ///< indeterminate unless any_
+  std::array<fault_count, 4> found_{};  ///< meaningless unless any_
   std::span<bool> marks_;
 };
 
