@@ -51,46 +51,48 @@ inline namespace FIXED_FUNCTIONS {
 ///
 ///     static_assert(atan(q16_16(1)).raw() == 51472);    // 51471.9
 ///     static_assert(atan(q16_16(-1)).raw() == -51472);
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> atan(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(atan, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::angle_of<number<Raw, F, P>>(x.raw(), std::int64_t{1} << F, "atan",
-                                                              x);
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> atan(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(atan, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::angle_of<number<Raw, Point, Rules>>(
+      x.raw(), std::int64_t{1} << Point, "atan", x);
 }
 
 /// The angle of the vector (x, y), from -pi to pi; 0 if both are 0.
 ///
 ///     static_assert(atan2(q16_16(1), q16_16(-1)).raw() == 154416);   // 154415.7
 ///     static_assert(atan2(q16_16(), q16_16(-1)) == pi_v<q16_16>);
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> atan2(number<Raw, F, P> y, number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(atan2, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::angle_of<number<Raw, F, P>>(y.raw(), x.raw(), "atan2", y, x);
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> atan2(
+    number<Raw, Point, Rules> y,
+    number<Raw, Point, Rules> x) noexcept(number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(atan2, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::angle_of<number<Raw, Point, Rules>>(y.raw(), x.raw(), "atan2", y,
+                                                                      x);
 }
 
 /// The angle whose sine is x, from -pi/2 to pi/2. Outside -1 to 1 it throws a domain_error under
 /// overflow::trap, and is 0 under every other policy.
 ///
 ///     static_assert(asin(q16_16(0.5)).raw() == 34315);  // 34314.6
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> asin(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(asin, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::sine, number<Raw, F, P>>(
-      x, "asin");
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> asin(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(asin, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::sine,
+                                                 number<Raw, Point, Rules>>(x, "asin");
 }
 
 /// The angle whose cosine is x, from 0 to pi. Outside -1 to 1, see asin().
 ///
 ///     static_assert(acos(q16_16(-1)) == pi_v<q16_16>);
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> acos(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(acos, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::cosine, number<Raw, F, P>>(
-      x, "acos");
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> acos(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(acos, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::cosine,
+                                                 number<Raw, Point, Rules>>(x, "acos");
 }
 
 /// @cond

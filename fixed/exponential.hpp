@@ -91,110 +91,112 @@ inline namespace FIXED_FUNCTIONS {
 ///
 ///     static_assert(exp2(q16_16(0.5)).raw() == 92682 && exp2(q16_16(-3)) == q16_16(0.125));
 ///     static_assert(exp2(q16_16(15)) == std::numeric_limits<q16_16>::max());  // out of range
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> exp2(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(exp2, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::two, number<Raw, F, P>>(
-      x, 0, "exp2");
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> exp2(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(exp2, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::two,
+                                              number<Raw, Point, Rules>>(x, 0, "exp2");
 }
 
 /// e to the power of x.
 ///
 ///     static_assert(exp(q16_16(1)).raw() == 178145 && exp(q16_16()) == 1);  // 178145.3
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> exp(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(exp, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, number<Raw, F, P>>(
-      x, 0, "exp");
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> exp(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(exp, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e,
+                                              number<Raw, Point, Rules>>(x, 0, "exp");
 }
 
 /// e to the power of x, minus 1.
 ///
 ///     static_assert(expm1(q2_30(-1)).raw() == -678734282);  // -678734281.8
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> expm1(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(expm1, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, number<Raw, F, P>>(
-      x, std::int64_t{1} << F, "expm1");
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> expm1(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(expm1, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e,
+                                              number<Raw, Point, Rules>>(
+      x, std::int64_t{1} << Point, "expm1");
 }
 
 /// The natural logarithm. For x <= 0 it throws a domain_error under overflow::trap, and is the
 /// lowest number of the type under every other policy.
 ///
 ///     static_assert(log(q16_16(10)).raw() == 150902);  // 150902.2
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> log(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(log, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, number<Raw, F, P>>(x, 0,
-                                                                                          "log");
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> log(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(log, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, number<Raw, Point, Rules>>(
+      x, 0, "log");
 }
 
 /// The natural logarithm of 1 + x. For x <= -1, see log().
 ///
 ///     static_assert(log1p(q16_16(9)) == log(q16_16(10)));
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> log1p(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(log1p, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, number<Raw, F, P>>(
-      x, std::int64_t{1} << F, "log1p");
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> log1p(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(log1p, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, number<Raw, Point, Rules>>(
+      x, std::int64_t{1} << Point, "log1p");
 }
 
 /// The logarithm to base 2. For x <= 0, see log().
 ///
 ///     static_assert(log2(q16_16(0.125)) == -3);
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> log2(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(log2, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::two, number<Raw, F, P>>(x, 0,
-                                                                                            "log2");
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> log2(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(log2, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::two, number<Raw, Point, Rules>>(
+      x, 0, "log2");
 }
 
 /// The logarithm to base 10. For x <= 0, see log().
 ///
 ///     static_assert(log10(q16_16(1000)) == 3);
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> log10(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(log10, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::ten, number<Raw, F, P>>(
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> log10(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(log10, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::ten, number<Raw, Point, Rules>>(
       x, 0, "log10");
 }
 
 /// The hyperbolic sine, (e^x - e^-x) / 2.
 ///
 ///     static_assert(sinh(q16_16(-1)).raw() == -77018);  // -77017.99
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> sinh(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(sinh, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::sine, number<Raw, F, P>>(x, "sinh");
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> sinh(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(sinh, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::sine, number<Raw, Point, Rules>>(
+      x, "sinh");
 }
 
 /// The hyperbolic cosine, (e^x + e^-x) / 2.
 ///
 ///     static_assert(cosh(q16_16(1)).raw() == 101127);  // 101127.3
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> cosh(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(cosh, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::cosine, number<Raw, F, P>>(x,
-                                                                                           "cosh");
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> cosh(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(cosh, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::cosine, number<Raw, Point, Rules>>(
+      x, "cosh");
 }
 
 /// The hyperbolic tangent, sinh(x) / cosh(x).
 ///
 ///     static_assert(tanh(q16_16(1)).raw() == 49912);  // 49911.8
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> tanh(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(tanh, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::hyperbolic_tangent<number<Raw, F, P>>(x);
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> tanh(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  FIXED_NEEDS_32_BITS(tanh, number<Raw, Point, Rules>);
+  return detail::FIXED_FUNCTIONS::hyperbolic_tangent<number<Raw, Point, Rules>>(x);
 }
 
 /// @cond
@@ -208,17 +210,6 @@ FIXED_REFUSED_PLAIN(log1p)
 FIXED_REFUSED_PLAIN(sinh)
 FIXED_REFUSED_PLAIN(cosh)
 FIXED_REFUSED_PLAIN(tanh)
-// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function. One of the user's is a better
-// match, because it has no pack.
-#define FIXED_ABSENT(name, text)                      \
-  template <class N, class... T>                      \
-  requires detail::is_plain_number<N> N name(N, T...) \
-  FIXED_INSTEAD(text);
-FIXED_ABSENT(acosh, "no acosh: write log(x + sqrt(x * x - 1))")
-FIXED_ABSENT(asinh, "no asinh: write log(x + hypot(x, q16_16(1))) for x >= 0")
-FIXED_ABSENT(atanh, "no atanh: write (log1p(x) - log1p(-x)) / 2")
-FIXED_ABSENT(exp10, "no exp10: write pow(q16_16(10), x)")
-#undef FIXED_ABSENT
 /// @endcond
 
 }  // namespace FIXED_FUNCTIONS

@@ -90,7 +90,7 @@ void JudgeOptions::add_to(CLI::App& command) {
   command
       .add_option(
           "--as", operation,
-          "what the routine computes: mul, div, sqrt, add, sub, muldiv, sin_cos, transform, a "
+          "what the routine computes: mul, div, sqrt, add, sub, muldiv, cos_sin, transform, a "
           "function of docs/functions.md, or ? to find out; required unless --list or "
           "--against-listing is given")
       ->check(not_empty());
@@ -208,7 +208,7 @@ x87's control word as they were.
   mul, div, add, sub  two numbers          -> a number
   sqrt                a number             -> a number
   muldiv              a, b, c              -> a * b / c
-  sin_cos             tenths of a degree (16 bits) -> cosine and sine, or pointers to them
+  cos_sin             tenths of a degree (16 bits) -> cosine and sine, or pointers to them
   transform           pointers to 12, 3 and 3 numbers: matrix, vector, result
 
 A program of --run reads the lines of `fixproof gen` on standard input, such as 00018000 ffff0000
