@@ -6,7 +6,6 @@
 #include <array>
 #include <cctype>
 #include <charconv>
-#include <ranges>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -77,8 +76,8 @@ std::string names_of(const Image& image) {
   std::ranges::stable_partition(
       symbols, [](const Symbol& symbol) { return !symbol.name.starts_with("__"); });
   std::string all;
-  for (const Symbol& symbol : symbols | std::views::take(shown)) {
-    all += (all.empty() ? "" : ", ") + shortened(symbol.name);
+  for (std::size_t i = 0; i < std::min(symbols.size(), shown); ++i) {
+    all += (all.empty() ? "" : ", ") + shortened(symbols[i].name);
   }
   if (symbols.size() > shown) all += fmt::format(" and {} others", symbols.size() - shown);
   return all;
