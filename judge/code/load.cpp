@@ -73,8 +73,8 @@ std::string names_of(const Image& image) {
   constexpr std::size_t shown = 20;
   std::vector<Symbol> symbols = image.symbols;
   symbols.insert(symbols.end(), image.hidden.begin(), image.hidden.end());
-  std::ranges::stable_partition(
-      symbols, [](const Symbol& symbol) { return !symbol.name.starts_with("__"); });
+  std::stable_partition(symbols.begin(), symbols.end(),
+                        [](const Symbol& symbol) { return !symbol.name.starts_with("__"); });
   std::string all;
   for (std::size_t i = 0; i < std::min(symbols.size(), shown); ++i) {
     all += (all.empty() ? "" : ", ") + shortened(symbols[i].name);
