@@ -1,17 +1,15 @@
 /// @file
 /// Functions of real numbers with a result in a format of its own: sin<q2_30>(x) for an x of 16.16.
 ///
-/// Each result is the To nearest to the exact value, under every policy. To
-/// and the operand have at most 32 bits. The policy of To decides ties and results out of range,
-/// and what happens outside the domain, as the policy of the type does in the functions of one
-/// format. sqrt<To>() and hypot<To>() are in fixed/power.hpp.
+/// Each result is the To nearest to the exact value, under every policy. The policy of To decides
+/// ties and results out of range, and what happens outside the domain, as the policy of the type
+/// does in the functions of one format. sqrt<To>() and hypot<To>() are in fixed/power.hpp.
 #pragma once
 
 #include <cstdint>
 
 #include "fixed/angle.hpp"
 #include "fixed/detail/function_kinds.hpp"
-#include "fixed/detail/operands.hpp"
 #include "fixed/detail/variant.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/number.hpp"
@@ -30,8 +28,6 @@ inline namespace FIXED_FUNCTIONS {
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To sin(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin, To);
-  FIXED_NEEDS_32_BITS(sin, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, To>(angle, 0, "sin");
 }
 
@@ -39,8 +35,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To cos(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(cos, To);
-  FIXED_NEEDS_32_BITS(cos, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, To>(angle, 1, "cos");
 }
 
@@ -50,8 +44,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To tan(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(tan, To);
-  FIXED_NEEDS_32_BITS(tan, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::radian, To>(angle, "tan");
 }
 
@@ -59,8 +51,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To sin_of_degrees(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_of_degrees, To);
-  FIXED_NEEDS_32_BITS(sin_of_degrees, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, To>(angle, 0,
                                                                           "sin_of_degrees");
 }
@@ -71,8 +61,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To cos_of_degrees(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(cos_of_degrees, To);
-  FIXED_NEEDS_32_BITS(cos_of_degrees, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, To>(angle, 1,
                                                                           "cos_of_degrees");
 }
@@ -82,8 +70,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To tan_of_degrees(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(tan_of_degrees, To);
-  FIXED_NEEDS_32_BITS(tan_of_degrees, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::degree, To>(angle,
                                                                              "tan_of_degrees");
 }
@@ -94,8 +80,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To sin_of_turns(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_of_turns, To);
-  FIXED_NEEDS_32_BITS(sin_of_turns, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, To>(angle, 0, "sin_of_turns");
 }
 
@@ -103,8 +87,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To cos_of_turns(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(cos_of_turns, To);
-  FIXED_NEEDS_32_BITS(cos_of_turns, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, To>(angle, 1, "cos_of_turns");
 }
 
@@ -113,8 +95,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To tan_of_turns(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(tan_of_turns, To);
-  FIXED_NEEDS_32_BITS(tan_of_turns, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::turn, To>(angle, "tan_of_turns");
 }
 
@@ -124,8 +104,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr cos_sin<To> sin_cos(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_cos, To);
-  FIXED_NEEDS_32_BITS(sin_cos, number<Raw, F, P>);
   return {cos<To>(angle), sin<To>(angle)};
 }
 
@@ -134,8 +112,6 @@ template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr cos_sin<To> sin_cos_of_degrees(number<Raw, F, P> angle) noexcept(
     To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_cos_of_degrees, To);
-  FIXED_NEEDS_32_BITS(sin_cos_of_degrees, number<Raw, F, P>);
   return {cos_of_degrees<To>(angle), sin_of_degrees<To>(angle)};
 }
 
@@ -144,8 +120,6 @@ template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr cos_sin<To> sin_cos_of_turns(number<Raw, F, P> angle) noexcept(
     To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_cos_of_turns, To);
-  FIXED_NEEDS_32_BITS(sin_cos_of_turns, number<Raw, F, P>);
   return {cos_of_turns<To>(angle), sin_of_turns<To>(angle)};
 }
 
@@ -160,8 +134,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To exp2(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(exp2, To);
-  FIXED_NEEDS_32_BITS(exp2, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::two, To>(x, 0, "exp2");
 }
 
@@ -171,8 +143,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To exp(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(exp, To);
-  FIXED_NEEDS_32_BITS(exp, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, To>(x, 0, "exp");
 }
 
@@ -180,18 +150,13 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To expm1(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(expm1, To);
-  FIXED_NEEDS_32_BITS(expm1, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, To>(
-      x, std::int64_t{1} << To::fraction_bits, "expm1");
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, To>(x, 1, "expm1");
 }
 
 /// The hyperbolic sine, as a To.
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To sinh(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sinh, To);
-  FIXED_NEEDS_32_BITS(sinh, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::sine, To>(x, "sinh");
 }
 
@@ -199,8 +164,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To cosh(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(cosh, To);
-  FIXED_NEEDS_32_BITS(cosh, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::cosine, To>(x, "cosh");
 }
 
@@ -210,8 +173,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To tanh(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(tanh, To);
-  FIXED_NEEDS_32_BITS(tanh, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::hyperbolic_tangent<To>(x);
 }
 
@@ -227,8 +188,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To log(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log, To);
-  FIXED_NEEDS_32_BITS(log, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, To>(x, 0, "log");
 }
 
@@ -236,18 +195,13 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To log1p(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log1p, To);
-  FIXED_NEEDS_32_BITS(log1p, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, To>(x, std::int64_t{1} << F,
-                                                                           "log1p");
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, To>(x, 1, "log1p");
 }
 
 /// The logarithm to base 2, as a To. For x <= 0, see log().
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To log2(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log2, To);
-  FIXED_NEEDS_32_BITS(log2, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::two, To>(x, 0, "log2");
 }
 
@@ -255,8 +209,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To log10(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log10, To);
-  FIXED_NEEDS_32_BITS(log10, number<Raw, F, P>);
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::ten, To>(x, 0, "log10");
 }
 
@@ -271,9 +223,7 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To atan(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(atan, To);
-  FIXED_NEEDS_32_BITS(atan, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::angle_of<To>(x.raw(), std::int64_t{1} << F, "atan", x);
+  return detail::FIXED_FUNCTIONS::angle_of_slope<detail::angle_unit::radian, To>(x, "atan");
 }
 
 /// The angle of the vector (x, y), as a To; 0 if both are 0. The two numbers have one type.
@@ -283,9 +233,7 @@ template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To atan2(number<Raw, F, P> y,
                                  number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(atan2, To);
-  FIXED_NEEDS_32_BITS(atan2, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::angle_of<To>(y.raw(), x.raw(), "atan2", y, x);
+  return detail::FIXED_FUNCTIONS::angle_of<detail::angle_unit::radian, To>(y, x, "atan2");
 }
 
 /// The angle whose sine is x, as a To. Outside -1 to 1 it is 0, or a domain_error.
@@ -294,18 +242,16 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To asin(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(asin, To);
-  FIXED_NEEDS_32_BITS(asin, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::sine, To>(x, "asin");
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::angle_unit::radian,
+                                                 detail::triangle_side::sine, To>(x, "asin");
 }
 
 /// The angle whose cosine is x, as a To. Outside -1 to 1, see asin().
 template <class To, class Raw, int F, policy P>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To acos(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(acos, To);
-  FIXED_NEEDS_32_BITS(acos, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::cosine, To>(x, "acos");
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::angle_unit::radian,
+                                                 detail::triangle_side::cosine, To>(x, "acos");
 }
 
 /// \}
