@@ -59,6 +59,51 @@ TEST_P(LongWords, AreRightWherePowersAreRational) {
 INSTANTIATE_TEST_SUITE_P(All, LongWords, testing::ValuesIn(formats),
                          [](const auto& one) { return std::string(one.param.name); });
 
+/// Whether the constant is the 576 bits of `want`, rounded toward zero.
+void expect_constant(const fixproof::detail::real_constant& constant, mpfr_result::Real& want) {
+  mpfr_result::Real cut(576);
+  mpfr_set(cut, want, MPFR_RNDZ);
+  mpfr_result::Real found(576);
+  mpfr_set_ui(found, 0, MPFR_RNDN);
+  for (std::size_t i = constant.limbs.size(); i-- > 0;) {
+    mpfr_mul_2si(found, found, 32, MPFR_RNDN);
+    mpfr_add_ui(found, found, constant.limbs[i], MPFR_RNDN);
+  }
+  mpfr_mul_2si(found, found, constant.exponent - 576, MPFR_RNDN);
+  if (constant.is_negative) mpfr_neg(found, found, MPFR_RNDN);
+  EXPECT_EQ(mpfr_cmp(mpfr_ptr(found), mpfr_ptr(cut)), 0) << constant.limbs[17];
+}
+
+TEST(IntervalConstants, AreThoseOfMpfr) {
+  namespace detail = fixproof::detail;
+  mpfr_result::Real value(700);
+  mpfr_const_log2(value, MPFR_RNDN);
+  expect_constant(detail::log_of_2, value);
+  mpfr_ui_div(value, 1, value, MPFR_RNDN);
+  expect_constant(detail::log2_of_e, value);
+  mpfr_set_ui(value, 10, MPFR_RNDN);
+  mpfr_log2(value, value, MPFR_RNDN);
+  expect_constant(detail::log2_of_10, value);
+  mpfr_ui_div(value, 1, value, MPFR_RNDN);
+  expect_constant(detail::log10_of_2, value);
+  mpfr_const_pi(value, MPFR_RNDN);
+  mpfr_div_ui(value, value, 2, MPFR_RNDN);
+  expect_constant(detail::real_half_pi, value);
+  mpfr_ui_div(value, 1, value, MPFR_RNDN);
+  expect_constant(detail::quarters_of_radian, value);
+  const std::array<unsigned long, 5> of_logs{6, 7, 9, 10, 11};
+  for (std::size_t i = 0; i < of_logs.size(); ++i) {
+    mpfr_set_d(value, static_cast<double>(of_logs.at(i)) / 8, MPFR_RNDN);
+    mpfr_log(value, value, MPFR_RNDN);
+    expect_constant(detail::logs_of_eighths.at(i), value);
+  }
+  for (std::size_t i = 0; i < detail::arctangents_of_eighths.size(); ++i) {
+    mpfr_set_d(value, static_cast<double>(i + 1) / 8, MPFR_RNDN);
+    mpfr_atan(value, value, MPFR_RNDN);
+    expect_constant(detail::arctangents_of_eighths.at(i), value);
+  }
+}
+
 // Ties are worked out by hand: each is half a unit.
 template <class N>
 constexpr N one_unit = N::from_raw(1);
