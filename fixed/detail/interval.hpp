@@ -195,13 +195,12 @@ class interval {
   }
 
   /// The nearest integer of units of 2^-fraction_bits, if all numbers of the interval have the same
-  /// one; from 2^66 on, just that. @pre 0 <= fraction_bits <= 64
+  /// one; from 2^65 on, 2^66. @pre 0 <= fraction_bits <= 64
   [[nodiscard]] constexpr interval_ulps nearest_ulps(int fraction_bits) const noexcept {
     const int whole = exponent_ + fraction_bits;
-    constexpr int beyond = 67;
-    if (whole >= beyond + 2) {
-      return {is_normal(), signed_ulps(int128{1} << (beyond - 1))};
-    }
+    // Then a magnitude with a known first bit is above 2^64, out of range in every format.
+    constexpr int beyond = 66;
+    if (whole >= beyond) return {is_normal(), signed_ulps(int128{1} << beyond)};
     // M counts 2^-dropped half ulps.
     const int dropped = 32 * static_cast<int>(size_) - 1 - whole;
     const int128 low = halves_above(dropped, true);
@@ -228,7 +227,7 @@ class interval {
   }
 
   /// The lower or the upper end of the magnitude, divided by 2^places and rounded down; an end
-  /// below 0 counts as 0. @pre the result is below 2^70, places > 64
+  /// below 0 counts as 0. @pre the result is below 2^68
   [[nodiscard]] constexpr int128 halves_above(int places, bool is_low) const noexcept {
     std::array<std::uint32_t, most_digits + 1> end{};
     std::int64_t carry = 0;
