@@ -84,6 +84,15 @@ constexpr To length_to(Coordinates... of) noexcept(To::never_throws) {
       rounded_scaled_sqrt<rounding_of<To>, shift, sum_bits>(sum), "hypot", of...);
 }
 
+template <class Number>
+constexpr bool is_whole(Number y) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return real_operand_of(y).is_whole();
+  } else {
+    return std::int64_t{y.raw()} % (std::int64_t{1} << Number::fraction_bits) == 0;
+  }
+}
+
 /// The ulps of x^y for x < 0 and a whole y, or for x > 0.
 template <class Number>
 constexpr auto power_of(Number x, Number y) noexcept {
@@ -270,7 +279,7 @@ template <class Raw, int Point, policy Rules>
     if (y.raw() > 0) return x;
     return detail::outside_domain<result>((std::numeric_limits<Raw>::max)(), "pow", x, y);
   }
-  if (x.raw() < 0 && !detail::real_operand_of(y).is_whole()) {
+  if (x.raw() < 0 && !detail::FIXED_FUNCTIONS::is_whole(y)) {
     return detail::outside_domain<result>(0, "pow", x, y);
   }
   return detail::limited<result>(detail::FIXED_FUNCTIONS::power_of(x, y), "pow", x, y);
