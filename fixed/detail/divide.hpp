@@ -80,7 +80,7 @@ FIXED_ALWAYS_INLINE constexpr quotient_t<Raw, FractionBits, P> quotient_of(
   if constexpr (has_fast_quotient<Raw, FractionBits, P> && divides_in_double) {
     return rounded_quotient<P.divide, shift>(n, divisor);
   } else if constexpr (has_integer_quotient<Raw, FractionBits, P>) {
-    return quotient_by_integers<P.divide, shift>(n, divisor);
+    return integer_quotient<P.divide, shift>(n, divisor);
   } else {
     using wide = quotient_t<Raw, FractionBits, P>;
     return rounded_ratio<P.divide>(wide{n} << shift, static_cast<wide>(divisor));
