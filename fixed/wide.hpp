@@ -36,24 +36,24 @@ using numerator_t = std::conditional_t<
 /// divisor, and only a zero divisor is a divide error.
 ///
 ///     static_assert(mul_div(q16_16(30000), q16_16(20000), q16_16(25000)) == q16_16(24000));
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> mul_div(
-    number<Raw, F, P> a, number<Raw, F, P> b,
-    number<Raw, F, P> c) noexcept(number<Raw, F, P>::divide_never_throws) {
-  using N = number<Raw, F, P>;
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> mul_div(
+    number<Raw, Point, Rules> a, number<Raw, Point, Rules> b,
+    number<Raw, Point, Rules> c) noexcept(number<Raw, Point, Rules>::divide_never_throws) {
+  using Number = number<Raw, Point, Rules>;
   using wide = detail::numerator_t<Raw>;
   const wide product = wide{a.raw()} * wide{b.raw()};
   if (c.raw() == 0) {
-    if constexpr (!N::divide_never_throws) {
-      using operand = detail::operand<Raw, F>;
+    if constexpr (!Number::divide_never_throws) {
+      using operand = detail::operand<Raw, Point>;
       detail::raise<divide_error>("divide error", "mul_div", operand{a.raw()}, operand{b.raw()},
                                   operand{c.raw()});
     }
-    return N::from_raw(detail::by_zero<Raw>(product < wide{0}, product == wide{0}));
+    return Number::from_raw(detail::by_zero<Raw>(product < wide{0}, product == wide{0}));
   }
-  return N::from_raw(detail::narrow<P.quotient_range(), Raw>(
-      detail::quick_ratio<P.divide>(product, wide{c.raw()}),
-      [&] { detail::raise_overflow<F>("mul_div", a.raw(), b.raw(), c.raw()); }));
+  return Number::from_raw(detail::narrow<Rules.quotient_range(), Raw>(
+      detail::quick_ratio<Rules.divide>(product, wide{c.raw()}),
+      [&] { detail::raise_overflow<Point>("mul_div", a.raw(), b.raw(), c.raw()); }));
 }
 
 /// The quotient of two integers as a number, rounded once by policy::divide. The policy handles
@@ -64,9 +64,9 @@ template <class Raw, int F, policy P>
 template <class Number, detail::integer Int>
 [[nodiscard]] constexpr Number ratio(Int n, Int d) noexcept(Number::divide_never_throws) {
   using raw = typename Number::raw_type;
-  constexpr int F = Number::fraction_bits;
-  using wide =
-      detail::signed_t<detail::larger(detail::signed_bits<Int> + F + 1, detail::signed_bits<raw>)>;
+  constexpr int Point = Number::fraction_bits;
+  using wide = detail::signed_t<detail::larger(detail::signed_bits<Int> + Point + 1,
+                                               detail::signed_bits<raw>)>;
   if (d == 0) {
     if constexpr (!Number::divide_never_throws) {
       detail::raise<divide_error>("divide error", "ratio", n, d);
@@ -74,7 +74,7 @@ template <class Number, detail::integer Int>
     return Number::from_raw(detail::by_zero<raw>(n < 0, n == 0));
   }
   return Number::from_raw(detail::narrow<Number::rules.quotient_range(), raw>(
-      detail::rounded_ratio<Number::rules.divide>(wide{n} << F, wide{d}),
+      detail::rounded_ratio<Number::rules.divide>(wide{n} << Point, wide{d}),
       [&] { detail::raise<overflow_error>("overflow", "ratio", n, d); }));
 }
 
@@ -126,9 +126,7 @@ class accumulator {
 
   /// The sum, rounded once by policy::multiply. The policy handles overflow, as for products.
   [[nodiscard]] constexpr Number result() const noexcept(Number::multiply_never_throws) {
-    const auto fail = [] {
-      detail::raise<overflow_error>("overflow", "accumulator::result");
-    };
+    const auto fail = [] { detail::raise<overflow_error>("overflow", "accumulator::result"); };
     // The shifts of a wide_integer take hundreds of instructions.
     if constexpr (std::is_same_v<wide, detail::wide_integer<2>> &&
                   detail::has_wide_sum<raw, fraction>) {

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "fixed/detail/standard.hpp"
+
 namespace fixproof::detail {
 
 /// 128 bits: the compiler's integer if it has one and FIXED_NO_INT128 is not defined.
@@ -210,8 +212,8 @@ class wide_integer {
 
 template <std::size_t Words>
 struct wide_integer<Words>::division {
-  wide_integer quotient;
-  wide_integer remainder;
+  wide_integer quotient{};
+  wide_integer remainder{};
 };
 
 // One bit at a time: only formats of 64 bits come here, a few of 32 without 128-bit integers, and %

@@ -53,6 +53,7 @@ TEST(Words, DivideExactly) {
   expect_each<rounding::half_even>(shifts);
   expect_each<rounding::truncate>(shifts);
   expect_each<rounding::floor>(shifts);
+  expect_each<rounding::ceiling>(shifts);
 }
 
 template <int Bits>

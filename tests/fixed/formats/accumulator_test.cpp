@@ -66,8 +66,7 @@ void expect_exact(std::mt19937_64& random) {
       << type << ", " << Terms << " terms";
   using To = fixproof::number<std::int32_t, 12>;
   const Type to = Type::of<To>();
-  const integer ulps =
-      reference::round(expected * to.one, type.one * type.one, to.rules.multiply);
+  const integer ulps = reference::round(expected * to.one, type.one * type.one, to.rules.multiply);
   ASSERT_EQ(reference::difference(to, reference::word_of(sum.template result<To>()),
                                   reference::in_range(to, ulps, to.rules.product_range())),
             "")
@@ -97,8 +96,9 @@ TYPED_TEST(FewWideTerms, AreSummedExactly) { expect_exact_of_few<TypeParam>(); }
 static_assert(sizeof(accumulator<fixproof::number<std::int8_t, 4>, 8>) == 4 &&
               sizeof(accumulator<q8_8, 8>) == 8 && sizeof(accumulator<q1_15, 8>) == 8 &&
               sizeof(accumulator<q1_15, 0xffffffff>) == 8 &&
-              sizeof(accumulator<q1_15, 0x100000000>) == 16 && sizeof(accumulator<q16_16, 1>) == 16 &&
-              sizeof(accumulator<q1_15>) == 16 && sizeof(accumulator<q2_30, 5>) == 16);
+              sizeof(accumulator<q1_15, 0x100000000>) == 16 &&
+              sizeof(accumulator<q16_16, 1>) == 16 && sizeof(accumulator<q1_15>) == 16 &&
+              sizeof(accumulator<q2_30, 5>) == 16);
 
 /// Whether a sum of so many of the greatest products ends, which it does unless it stops.
 template <class N, std::uint64_t Terms>
