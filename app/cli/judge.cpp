@@ -226,6 +226,9 @@ int status_of(bool right, const judge::Image& image, const judge::Verdict& verdi
         "\nThe code looks like 64-bit code, and ran as {}-bit code: add --bits 64.\n", image.bits);
   } else if (image.has_assumed_bits && fails_widely(verdict)) {
     std::cout << "\nThe code ran as 16-bit code: add --bits 32 if it has 32 bits.\n";
+    if (image.container == judge::flat_container) {
+      std::cout << "If it is not for x86, give the ELF file that it was made from.\n";
+    }
   }
   return 1;
 }
@@ -261,7 +264,9 @@ int judge_file(const JudgeOptions& given, const CLI::App& command) {
     return 0;
   }
   if (options.operation.empty()) {
-    throw support::UsageError("--as is required; name what the routine computes, or ? to find out");
+    throw support::UsageError(
+        "--as is required; name what the routine computes, such as --as mul, or --as '?' to find "
+        "out");
   }
   const cases::Operation operation =
       options.operation == "?" ? ask_operation(options, image) : operation_of(options.operation);
@@ -297,7 +302,7 @@ int judge_file(const JudgeOptions& given, const CLI::App& command) {
 void add_judge(CLI::App& app, int& status) {
   auto options = std::make_shared<JudgeOptions>();
   CLI::App* command = app.add_subcommand(
-      "judge", "judge a machine-code routine of your own, for 16, 32 or 64 bits");
+      "judge", "judge your code: a function in C, machine code, or a program in any language");
   options->add_to(*command);
   command->callback([options, command, &status] { status = judge_file(*options, *command); });
 }

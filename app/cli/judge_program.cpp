@@ -49,7 +49,9 @@ std::string ending_text(const std::optional<program::Child::Ending>& ending) {
 std::string fix_of(const program::Failure& failure) {
   switch (failure.fault->kind) {
     case program::Fault::Kind::ends:
-      if (failure.is_alone) return "write one line for every case, DE where there is no result";
+      if (failure.is_alone)
+        return "read cases from standard input, and write one line for each, DE where there is no "
+               "result";
       return "read cases up to the end of the input, and write one line for each";
     case program::Fault::Kind::silent:
       return "end the loop at the end of the input, or give --timeout more seconds";
@@ -151,7 +153,7 @@ int judge_program(const JudgeOptions& options, const CLI::App& command) {
     if (verdict.unsteady) {
       std::cout << fmt::format(
           "UNSTEADY: for {} the result differs from run to run: the program keeps something from "
-          "case to case, or reads what nobody sets\n",
+          "case to case, or reads registers or memory that nothing sets\n",
           check::text_of_operands(*verdict.unsteady, verdict.rules));
     }
     std::cout << judgement_text(*verdict.judge, verdict.smallest);
