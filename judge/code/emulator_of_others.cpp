@@ -46,7 +46,7 @@ class CallerElsewhere final : public Caller {
         a_(*subject.image.architecture),
         convention_(subject.frame.elsewhere.value()),
         variant_(subject.variant),
-        operands_(subject.image, subject.variant),
+        operands_(subject.image, subject.frame.signature, subject.variant),
         trace_(trace),
         memory_(subject.image),
         engine_(static_cast<uc_arch>(a_.emulator), static_cast<uc_mode>(a_.mode)),
@@ -169,10 +169,7 @@ class CallerElsewhere final : public Caller {
       value |= left.general.at(part.at) << shift;
       shift += 32;  // a result of two parts has those of 32 bits
     }
-    const int bits = variant_.format.word_bits;
-    if (bits < 64) value &= (std::uint64_t{1} << bits) - 1;
-    words[0] = static_cast<std::uint32_t>(value);
-    if (bits > 32) words[1] = static_cast<std::uint32_t>(value >> 32U);
+    operands_.give(value, words);
   }
 
   [[nodiscard]] RegisterMask broken(const Registers& left) const {

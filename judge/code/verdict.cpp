@@ -31,9 +31,10 @@ std::optional<check::JudgedCase> smallest_from(const Subject& subject, const che
     return one;
   };
   if (is_right(rules, judged(words))) return std::nullopt;
-  if (subject.variant.format.word_bits <= 32) {
+  const int bits = cases::operand_bits(subject.variant);
+  if (bits <= 32) {
     words = verify::shrink(
-        std::move(words), subject.variant.format.word_bits,
+        std::move(words), bits,
         [&](std::span<const std::uint32_t> tried) { return !is_right(rules, judged(tried)); });
   }
   check::JudgedCase smallest = judged(words);
