@@ -18,8 +18,14 @@ std::uint64_t extended(std::uint64_t value, int bits, bool is_signed) {
   return is_negative ? value | above : value & ~above;
 }
 
-/// No number is wider, and compilers expect each at a multiple of its width.
-constexpr std::uint32_t widest_number = 8;  // bytes
+/// Returns how many bytes behind a pointer belong to a parameter. Compilers expect a number at a
+/// multiple of its width, and none is wider than 8 bytes.
+std::uint32_t bytes_of(const Parameter& p) {
+  constexpr std::uint32_t widest = 8;
+  if (!p.is_pointer) return 0;
+  const auto bytes = static_cast<std::uint32_t>(p.numbers) * static_cast<std::uint32_t>(p.bits) / 8;
+  return (bytes + widest - 1) / widest * widest;
+}
 
 }  // namespace
 
@@ -44,6 +50,15 @@ Signature signature_of(const cases::Variant& v) {
           .result_bits = bits};
 }
 
+void expect_room(const Signature& signature) {
+  std::uint32_t bytes = 0;
+  for (const Parameter& p : signature.operands) bytes += bytes_of(p);
+  if (bytes <= data_bytes) return;
+  throw support::UsageError(fmt::format(
+      "--frame: what the pointers point to takes {} bytes, and there are {}; take fewer terms",
+      bytes, data_bytes));
+}
+
 CallOperands::CallOperands(const Image& image, const Signature& signature,
                            const cases::Variant& variant)
     : image_(image), parameters_(signature.operands), variant_(variant) {
@@ -53,14 +68,7 @@ CallOperands::CallOperands(const Image& image, const Signature& signature,
     first_operands_.push_back(operand);
     places_.push_back(place);
     if (!p.is_result && !p.constant) operand += p.numbers;
-    if (!p.is_pointer) continue;
-    const auto bytes = static_cast<std::uint32_t>(p.numbers) * static_cast<std::uint32_t>(p.bits) / 8;
-    place += (bytes + widest_number - 1) / widest_number * widest_number;
-  }
-  if (place - image.data > data_bytes) {
-    throw support::UsageError(fmt::format(
-        "--frame: what the pointers point to takes {} bytes, and there are {}; take fewer terms",
-        place - image.data, data_bytes));
+    place += bytes_of(p);
   }
 }
 

@@ -17,7 +17,7 @@ namespace fixproof::judge {
 /// The operands and results of one operation as a routine of an image has them.
 class CallOperands {
  public:
-  /// @throws support::UsageError if there is no room for what pointers point to
+  /// The signature must have room: see expect_room().
   CallOperands(const Image& image, const Signature& signature, const cases::Variant& variant);
 
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
@@ -53,5 +53,8 @@ class CallOperands {
 /// Returns the signature that a routine has unless its caller says otherwise: operands in the
 /// integers that store them, then results behind pointers if there are several.
 Signature signature_of(const cases::Variant& variant);
+
+/// @throws support::UsageError if there is no room for what the pointers of a signature point to
+void expect_room(const Signature& signature);
 
 }  // namespace fixproof::judge

@@ -206,6 +206,7 @@ void expect_place(const Place& place, const Parameter& parameter, bool may_be_va
 }  // namespace
 
 void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
+  expect_room(frame.signature);
   if (frame.elsewhere) return;
   const auto& parameters = frame.signature.operands;
   const int result_bits = frame.signature.result_bits;
