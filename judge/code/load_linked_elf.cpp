@@ -232,7 +232,8 @@ class Linked {
         choosers_.try_emplace(place, file_.name_of(*table, symbol));
         continue;
       }
-      if (symbol.binding == STB_LOCAL || symbol.type == STT_TLS || !is_code(place)) continue;
+      const bool is_variable = symbol.type == STT_TLS || symbol.type == STT_OBJECT;
+      if (symbol.binding == STB_LOCAL || is_variable || !is_code(place)) continue;
       std::string name = file_.name_of(*table, symbol);
       if (is_routine(name)) image_.symbols.push_back({std::move(name), place});
     }
