@@ -34,7 +34,7 @@ namespace {
 
 /// Shorter names of operations that only this command takes.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> short_names{
-    {{"muldiv", "mul_div"}, {"sin_cos", "cossin"}, {"transform", "xformvec"}}};
+    {{"muldiv", "mul_div"}, {"cos_sin", "cossin"}, {"transform", "xformvec"}}};
 
 cases::Operation operation_of(std::string_view name) {
   for (const auto& [shorter, known] : short_names) {
@@ -45,7 +45,7 @@ cases::Operation operation_of(std::string_view name) {
                            (!cases::is_conversion(operation) || operation == cases::Operation::convert);
   if (!is_whole(operation) && !is_of_words) {
     throw support::UsageError(fmt::format(
-        "--as {}: choose mul, div, sqrt, add, sub, muldiv, mul_add, lerp, dot, convert, sin_cos, "
+        "--as {}: choose mul, div, sqrt, add, sub, muldiv, mul_add, lerp, dot, convert, cos_sin, "
         "transform, or a function of docs/functions.md; ? tries them",
         name));
   }
