@@ -41,8 +41,8 @@ cases::Operation operation_of(std::string_view name) {
     if (name == shorter) name = known;
   }
   const cases::Operation operation = cases::operation_named(name);
-  const bool is_of_words = check::is_judged(operation) &&
-                           (!cases::is_conversion(operation) || operation == cases::Operation::convert);
+  const bool is_of_words = check::is_judged(operation) && (!cases::is_conversion(operation) ||
+                                                           operation == cases::Operation::convert);
   if (!is_whole(operation) && !is_of_words) {
     throw support::UsageError(fmt::format(
         "--as {}: choose mul, div, sqrt, add, sub, muldiv, mul_add, lerp, dot, convert, cos_sin, "

@@ -45,8 +45,9 @@ void expect_effects(const CLI::App& command) {
         "what is judged? Name the file of a routine, or a program: --run './mine'");
   }
   expect_only(command, "--list", {"file", "--at", "--symbol", "--bits"});
-  expect_only(command, "--trace",
-              {"file", "--at", "--symbol", "--bits", "--as", "--frame", "--format", "--to", "--terms"});
+  expect_only(
+      command, "--trace",
+      {"file", "--at", "--symbol", "--bits", "--as", "--frame", "--format", "--to", "--terms"});
   expect_only(command, "--against-listing",
               {"file", "--at", "--target", "--round", "--mul-round", "--div-round", "--as-printed",
                "--chapter", "--repaired"});
@@ -102,18 +103,20 @@ void JudgeOptions::add_to(CLI::App& command) {
           "NASM source, else 16")
       ->check(CLI::IsMember({16, 32, 64}));
   command
-      .add_option("--format", format,
-                  "format of the words: qW_F signed or uW_F unsigned, with W bits before the point and F "
-                  "after it, 2 to 64 in all")
+      .add_option(
+          "--format", format,
+          "format of the words: qW_F signed or uW_F unsigned, with W bits before the point and F "
+          "after it, 2 to 64 in all")
       ->capture_default_str();
   command.add_option("--to", to, "format of the results; by default --format")->check(not_empty());
   command.add_option("--terms", terms, "number of products of dot")
       ->transform(whole_number(1, cases::max_terms))
       ->capture_default_str();
   command
-      .add_option("--rounding", rounding,
-                  "expected rounding: half-up, half-away, half-even, floor, ceiling, toward-zero or "
-                  "faithful; by default the one that fits best")
+      .add_option(
+          "--rounding", rounding,
+          "expected rounding: half-up, half-away, half-even, floor, ceiling, toward-zero or "
+          "faithful; by default the one that fits best")
       ->check(not_empty());
   command
       .add_option("--overflow", overflow,

@@ -74,8 +74,8 @@ std::optional<Parameter> type_of(const PlaceText& place, int code_bits) {
     numbers = 1;
     text.remove_suffix(1);
   } else if (bracket != std::string_view::npos && text.ends_with(']')) {
-    numbers = whole_number<std::size_t>(text.substr(bracket + 1, text.size() - bracket - 2))
-                  .value_or(0);
+    numbers =
+        whole_number<std::size_t>(text.substr(bracket + 1, text.size() - bracket - 2)).value_or(0);
     if (numbers == 0) return std::nullopt;
     text = text.substr(0, bracket);
   }

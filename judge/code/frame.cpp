@@ -237,8 +237,7 @@ void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
     expect(frame.in[i], p, p.numbers == 1 && !p.is_result);
   }
   for (std::size_t i = 0; i < frame.out.size(); ++i) {
-    const Parameter result =
-        returns ? Parameter{.bits = result_bits} : parameters[operands + i];
+    const Parameter result = returns ? Parameter{.bits = result_bits} : parameters[operands + i];
     if (frame.out[i].is_pointer) {
       throw UsageError(
           fmt::format("--frame '{}': the pointer to a result is an operand", frame.text));

@@ -83,11 +83,11 @@ TEST(CTypes, OnX86) {
   expect(judge_code(whole, "--as|mul|--cases|1000"), 1, {"UNSTEADY", "name them"});
   // The last of six registers, and a constant in the one before it.
   const std::string last = "bits 64\nlea eax, [rdi+r9]\nsub r8d, 4\nadd eax, r8d\nret\n";
-  const std::string six = "--as|add|--overflow|wrap|--cases|1000|--frame|int, 1, 2, 3, 4, int -> int";
+  const std::string six =
+      "--as|add|--overflow|wrap|--cases|1000|--frame|int, 1, 2, 3, 4, int -> int";
   expect(judge_code(last, six), 0, {"AGREES on 1,000"});
-  command::expect_usage_error(
-      judge_code(last, "--as|add|--frame|int, 1, 2, 3, 4, 5, int -> int"),
-      "there are registers for 6 parameters, not for 7");
+  command::expect_usage_error(judge_code(last, "--as|add|--frame|int, 1, 2, 3, 4, 5, int -> int"),
+                              "there are registers for 6 parameters, not for 7");
   expect(judge_code(on_stack, "--as|mul|--cases|500|--prove|--frame|long, long -> long"), 0,
          {"PROVEN for all operands"});
   expect(judge_code(whole, "--as|mul|--cases|500|--prove|--frame|long, long -> long"), 0,
@@ -126,7 +126,8 @@ TEST(CTypes, AnOperandIsExtendedByItsType) {
 TEST(CTypes, MistakesAreNamed) {
   const std::string routine = "bits 64\nmov eax, edi\nret\n";
   for (const auto& [frame, part] :
-       {std::pair{"fix, int -> int", "'fix' is no type that judge knows; write one such as int32_t"},
+       {std::pair{"fix, int -> int",
+                  "'fix' is no type that judge knows; write one such as int32_t"},
         {"int, [rdi] -> int", "'rdi' is no type that judge knows"},
         {"int, int[0] -> int", "'int[0]' is no type that judge knows"},
         {"signed int32_t, int -> int", "'signed int32_t' is no type that judge knows"},
@@ -139,7 +140,8 @@ TEST(CTypes, MistakesAreNamed) {
         {"int, int -> int*", "mul takes 2 operands"},
         {"int, int -> 1", "mul takes 2 operands"},
         {"int, int, int*, int* ->", "mul takes 2 operands"}}) {
-    command::expect_usage_error(judge_code(routine, std::string("--as|mul|--frame|") + frame), part);
+    command::expect_usage_error(judge_code(routine, std::string("--as|mul|--frame|") + frame),
+                                part);
   }
 }
 
@@ -148,9 +150,10 @@ TEST(JudgeFormats, SumsOfProductsAndConversions) {
       "bits 64\nxor eax, eax\n.next: movsx r8, word [rdi]\nmovsx r9, word [rsi]\nimul r8, r9\n"
       "add rax, r8\nadd rdi, 2\nadd rsi, 2\ndec edx\njnz .next\nmov [rcx], rax\nret\n";
   const auto frame = [](int terms) {
-    return fmt::format("--as|dot|--format|q1_15|--to|q34_30|--cases|1000|--terms|{0}|--frame|"
-                       "int16_t[{0}], int16_t[{0}], {0}, int64_t* ->",
-                       terms);
+    return fmt::format(
+        "--as|dot|--format|q1_15|--to|q34_30|--cases|1000|--terms|{0}|--frame|"
+        "int16_t[{0}], int16_t[{0}], {0}, int64_t* ->",
+        terms);
   };
   expect(judge_code(dot, frame(3)), 0, {"dot q1_15 to q34_30", "AGREES on 1,000 cases\n"});
   command::expect_usage_error(judge_code(dot, frame(33)),
@@ -170,7 +173,8 @@ TEST(JudgeFormats, AWordIsStoredWithItsSign) {
 }
 
 TEST(JudgeFormats, Promises) {
-  const std::string floors = "bits 64\nmovsxd rax, edi\nmovsxd rcx, esi\nimul rax, rcx\nsar rax, 16\nret\n";
+  const std::string floors =
+      "bits 64\nmovsxd rax, edi\nmovsxd rcx, esi\nimul rax, rcx\nsar rax, 16\nret\n";
   expect(judge_code(floors, "--as|mul|--within|1|--cases|1000"), 0,
          {"mul q16_16: within 1 ulp", "AGREES on 1,000 cases\n"});
   expect(judge_code(floors, "--as|mul|--within|0.5|--cases|1000"), 1, {"WRONG in"});
@@ -183,11 +187,12 @@ TEST(JudgeFormats, Promises) {
 
 TEST(JudgeFormats, WhatTheLinkerMakesIsNotMissing) {
   if (!command::has("m68k-linux-gnu-gcc")) GTEST_SKIP() << "no m68k-linux-gnu-gcc";
-  // Position-independent code reaches `half` through the table of offsets that the linker makes. The
-  // variable is no function that judge could mean.
+  // Position-independent code reaches `half` through the table of offsets that the linker makes.
+  // The variable is no function that judge could mean.
   const ScratchFolder folder;
   const std::string source = folder.write(
-      "f.c", "int half = 0x8000;\nint f(int a, int b) { return (a * (long long)b + half) >> 16; }\n");
+      "f.c",
+      "int half = 0x8000;\nint f(int a, int b) { return (a * (long long)b + half) >> 16; }\n");
   const auto run = command::run({"env", "CC=m68k-linux-gnu-gcc -m68020 -fPIC", paths::command(),
                                  "judge", source, "--as", "mul", "--cases", "500"});
   expect(run, 0, {"half-up, the rounding that fits best", "AGREES on 500 cases\n"});

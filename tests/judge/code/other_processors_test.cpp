@@ -127,7 +127,8 @@ TEST(OtherProcessors, ArgumentsAreWhereTheAbiHasThem) {
 
 TEST(OtherProcessors, AnS390xHasAddressesOf64BitsAndFloatingPoint) {
   const ScratchFolder folder;
-  // long away(long a, long b) { long p = a * b; return (p + 0x8000 + (p >> 63)) >> 16; } adds by LAY.
+  // long away(long a, long b) { long p = a * b; return (p + 0x8000 + (p >> 63)) >> 16; } adds by
+  // LAY.
   const std::string away = "b90c0023eb12003f000ae32210000871eb220010000a07fe";
   expect(judge(folder.write("f.elf", linked(processor("s390x"), away)),
                "--as|mul|--cases|1000|--frame|long, long -> long"),

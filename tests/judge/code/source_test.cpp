@@ -81,7 +81,8 @@ TEST(Sources, ACompilerWithoutACLibrary) {
   const ScratchFolder folder;
   const std::string source = folder.write("f.c", "#include <stdint.h>\n");
   const std::string compiler = folder.write(
-      "cc.sh", "echo 'stdint.h:9:16: fatal error: stdint.h: No such file or directory' >&2; exit 1");
+      "cc.sh",
+      "echo 'stdint.h:9:16: fatal error: stdint.h: No such file or directory' >&2; exit 1");
   const auto run = command::run(
       {"env", "CC=bash " + compiler, paths::command(), "judge", source, "--as", "mul"});
   command::expect_usage_error(run, "No such file or directory; add -ffreestanding to the flags");
