@@ -32,9 +32,8 @@ void expect_quotients() {
     const std::int32_t d = word(random);
     if (d == 0) continue;
     const std::int64_t scaled = std::int64_t{n} * (std::int64_t{1} << Shift);
-    const std::int64_t expected =
-        d < 0 ? exact::round<std::int64_t>(-scaled, -std::int64_t{d}, R)
-              : exact::round<std::int64_t>(scaled, d, R);
+    const std::int64_t expected = d < 0 ? exact::round<std::int64_t>(-scaled, -std::int64_t{d}, R)
+                                        : exact::round<std::int64_t>(scaled, d, R);
     ASSERT_EQ((detail::quotient_by_words<R, Shift>(n, d)), expected)
         << n << " * 2^" << Shift << " / " << d << ", rule " << static_cast<int>(R);
   }
