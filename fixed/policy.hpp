@@ -63,6 +63,11 @@ struct policy {
   divide_fault fault = divide_fault::none;      ///< Which divides are errors.
   overflow products = overflow::as_range;       ///< Of operator*, mul_add and dot.
   overflow quotients = overflow::as_range;      ///< Of operator/.
+  /// For code that is moved from plain integers, and only until it is. Whoever reads `x * n` or
+  /// `(int)x` in such code cannot tell whether stored integers or values are meant. So integers and
+  /// floating-point numbers are no operands, and convert by name alone: from_raw(n) and x.raw(), or
+  /// for values by the type without this rule, as in q16_16(x).
+  bool moving = false;
 
   /// The overflow rule of products.
   [[nodiscard]] constexpr overflow product_range() const noexcept {

@@ -39,7 +39,7 @@ struct no_number {
 /// Refuses a format that function `name` does not cover.
 #define FIXED_NEEDS_32_BITS(name, ...)                        \
   static_assert(fixproof::detail::has_functions<__VA_ARGS__>, \
-                #name " needs a format of at most 32 bits: convert, as in q16_16(x)")
+                #name " needs a format of at most 32 bits: convert to one that has the value")
 
 /// Refuses an operand that is not a number.
 #define FIXED_REFUSED_PLAIN(name)                    \
