@@ -38,6 +38,7 @@
 #include "fixed/checked.hpp"
 #include "fixed/cmath.hpp"
 #include "fixed/constants.hpp"
+#include "fixed/exactness.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/formats.hpp"
 #include "fixed/limits.hpp"

@@ -25,6 +25,7 @@ class std::numeric_limits<fixproof::number<Raw, FractionBits, Rules>> {
     using fixproof::detail::is_to_nearest;
     if (is_to_nearest<Rules.multiply> && is_to_nearest<Rules.divide>) return std::round_to_nearest;
     if (Rules.multiply != Rules.divide) return std::round_indeterminate;
+    if (Rules.multiply == fixproof::rounding::ceiling) return std::round_toward_infinity;
     return Rules.multiply == fixproof::rounding::floor ? std::round_toward_neg_infinity
                                                        : std::round_toward_zero;
   }

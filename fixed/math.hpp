@@ -219,10 +219,9 @@ constexpr Number rounded_sum(std::uint64_t sum) noexcept {
   return Number::from_raw(static_cast<typename Number::raw_type>((sum + half) >> Point));
 }
 
-/// Rounds a sum of products once. @param terms the number of terms, for the text of an error
-template <class Number>
-constexpr Number rounded_sum(wide_sum sum,
-                             std::size_t terms) noexcept(Number::multiply_never_throws) {
+/// Rounds a sum of products once. @param fail raises the error of a sum that is out of range
+template <class Number, class Fail>
+constexpr Number rounded_sum(wide_sum sum, Fail fail) noexcept(Number::multiply_never_throws) {
   using raw = typename Number::raw_type;
   constexpr int Point = Number::fraction_bits;
   constexpr overflow range = Number::rules.product_range();
@@ -232,9 +231,7 @@ constexpr Number rounded_sum(wide_sum sum,
   if constexpr (range == overflow::wrap) {
     return Number::from_raw(static_cast<raw>(sum.low_shifted_right(Point)));
   } else {
-    return Number::from_raw(narrow<range, raw>(sum.clamped_shifted_right(Point), [terms] {
-      raise<overflow_error>("overflow", "dot", term_count{terms});
-    }));
+    return Number::from_raw(narrow<range, raw>(sum.clamped_shifted_right(Point), fail));
   }
 }
 
@@ -254,28 +251,31 @@ requires std::same_as<detail::element_t<First>, detail::element_t<Second>>
   using raw = typename result::raw_type;
   constexpr policy rules = result::rules;
   constexpr int bits = result::fraction_bits;
+  using product = detail::term_t<raw, raw, std::int64_t>;
 
   const auto* x = std::data(a);
   const auto* y = std::data(b);
   const std::size_t terms = std::size(a) < std::size(b) ? std::size(a) : std::size(b);
+  [[maybe_unused]] const auto fail = [terms] {
+    detail::raise<overflow_error>("overflow", "dot", detail::term_count{terms});
+  };
 
   if constexpr (detail::rounds_modulo<result>) {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < terms; ++i) {
-      sum += static_cast<std::uint64_t>(std::int64_t{x[i].raw()} * y[i].raw());
+      sum += static_cast<std::uint64_t>(product{x[i].raw()} * product{y[i].raw()});
     }
     return detail::rounded_sum<result>(sum);
   } else if constexpr (detail::has_wide_sum<raw, bits>) {
     detail::wide_sum sum;
-    for (std::size_t i = 0; i < terms; ++i) sum.add(std::int64_t{x[i].raw()} * y[i].raw());
-    return detail::rounded_sum<result>(sum, terms);
+    for (std::size_t i = 0; i < terms; ++i) sum.add(product{x[i].raw()} * product{y[i].raw()});
+    return detail::rounded_sum<result>(sum, fail);
   } else {
     using wide = detail::wide_integer<3>;
     wide sum;
     for (std::size_t i = 0; i < terms; ++i) sum = sum + wide{x[i].raw()} * wide{y[i].raw()};
     return result::from_raw(detail::narrow<rules.product_range(), raw>(
-        detail::shift_right<rules.multiply>(sum, bits),
-        [terms] { detail::raise<overflow_error>("overflow", "dot", detail::term_count{terms}); }));
+        detail::shift_right<rules.multiply>(sum, bits), fail));
   }
 }
 
@@ -297,15 +297,15 @@ requires detail::is_plain_number<To> && detail::is_plain_number<detail::element_
       detail::signed_bits<typename left::raw_type> + detail::signed_bits<typename right::raw_type>;
   // No range has 2^62 terms. Each is at most 2^(product_bits - 2).
   constexpr int bits = product_bits + 62;
-  using product = detail::signed_t<product_bits>;
   using wide = detail::signed_t<bits>;
+  using product = detail::term_t<typename left::raw_type, typename right::raw_type, wide>;
 
   const auto* x = std::data(a);
   const auto* y = std::data(b);
   const std::size_t terms = std::size(a) < std::size(b) ? std::size(a) : std::size(b);
   wide sum{0};
   for (std::size_t i = 0; i < terms; ++i) {
-    sum = sum + wide{product{x[i].raw()} * product{y[i].raw()}};
+    sum += product{x[i].raw()} * product{y[i].raw()};
   }
   return To::from_raw(detail::narrow<To::rules.product_range(), typename To::raw_type>(
       detail::rescaled<To, left::fraction_bits + right::fraction_bits, bits>(sum),

@@ -13,6 +13,7 @@ enum class rounding {
   floor,      ///< toward -infinity
   truncate,   ///< toward zero
   half_even,  ///< to nearest; ties to even
+  ceiling,    ///< toward +infinity
 };
 
 /// What happens to a result outside the range of the type.

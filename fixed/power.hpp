@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "fixed/detail/interval_results.hpp"
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/overflow.hpp"
@@ -81,33 +82,46 @@ constexpr To length_to(Coordinates... of) noexcept(To::never_throws) {
 
 /// The ulps of x^y for x < 0 and a whole y, or for x > 0.
 template <class Number>
-constexpr std::int64_t power_of(Number x, Number y) noexcept {
-  constexpr int Point = Number::fraction_bits;
-  const std::int64_t raw{x.raw()};
-  const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
-  const bool is_odd_power = (std::int64_t{y.raw()} >> Point & 1) != 0;
-  constexpr rounding ties = ties_of<Number>;
-  if (raw > 0 || !is_odd_power) return nearest_real_power<ties>(magnitude, y.raw(), Point);
-  // A negative tie that goes up goes down in magnitude.
-  constexpr bool is_up = ties == rounding::half_up;
-  return -(is_up ? nearest_real_power<rounding::floor>(magnitude, y.raw(), Point)
-                 : nearest_real_power<ties>(magnitude, y.raw(), Point));
+constexpr auto power_of(Number x, Number y) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return interval_power<ties_of<Number>>(real_operand_of(x), real_operand_of(y),
+                                           Number::fraction_bits);
+  } else {
+    constexpr int Point = Number::fraction_bits;
+    const std::int64_t raw{x.raw()};
+    const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+    const bool is_odd_power = (std::int64_t{y.raw()} >> Point & 1) != 0;
+    constexpr rounding ties = ties_of<Number>;
+    if (raw > 0 || !is_odd_power) return nearest_real_power<ties>(magnitude, y.raw(), Point);
+    // A negative tie that goes up goes down in magnitude.
+    constexpr bool is_up = ties == rounding::half_up;
+    return -(is_up ? nearest_real_power<rounding::floor>(magnitude, y.raw(), Point)
+                   : nearest_real_power<ties>(magnitude, y.raw(), Point));
+  }
 }
 
 /// The ulps of the cube root.
 template <class Number>
-constexpr std::int64_t cube_root(Number x) noexcept {
-  const std::int64_t raw{x.raw()};
-  const std::int64_t root =
-      nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw), Number::fraction_bits);
-  return raw < 0 ? -root : root;
+constexpr auto cube_root(Number x) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return interval_cube_root(real_operand_of(x), Number::fraction_bits);
+  } else {
+    const std::int64_t raw{x.raw()};
+    const std::int64_t root =
+        nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw), Number::fraction_bits);
+    return raw < 0 ? -root : root;
+  }
 }
 
 /// The ulps of 1 / sqrt(x) for x > 0.
 template <class Number>
-constexpr std::int64_t reciprocal_root(Number x) noexcept {
-  return nearest_reciprocal_root<ties_of<Number>>(static_cast<std::uint64_t>(x.raw()),
-                                                  Number::fraction_bits);
+constexpr auto reciprocal_root(Number x) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return interval_reciprocal_root<ties_of<Number>>(real_operand_of(x), Number::fraction_bits);
+  } else {
+    return nearest_reciprocal_root<ties_of<Number>>(static_cast<std::uint64_t>(x.raw()),
+                                                    Number::fraction_bits);
+  }
 }
 
 /// The ulps of 1 / x for an x that is not 0.
@@ -126,7 +140,6 @@ inline namespace FIXED_FUNCTIONS {
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> cbrt(number<Raw, Point, Rules> x) noexcept(
     number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(cbrt, number<Raw, Point, Rules>);
   return detail::limited<number<Raw, Point, Rules>>(detail::FIXED_FUNCTIONS::cube_root(x), "cbrt",
                                                     x);
 }
@@ -138,7 +151,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> rsqrt(number<Raw, Point, Rules> x) noexcept(
     number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(rsqrt, number<Raw, Point, Rules>);
   if (x.raw() <= 0) {
     return detail::outside_domain<number<Raw, Point, Rules>>((std::numeric_limits<Raw>::max)(),
                                                              "rsqrt", x);
@@ -242,14 +254,12 @@ template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> pow(
     number<Raw, Point, Rules> x,
     number<Raw, Point, Rules> y) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(pow, number<Raw, Point, Rules>);
   using result = number<Raw, Point, Rules>;
-  const std::int64_t exponent{y.raw()};
-  if (exponent != 0 && x.raw() == 0) {
-    if (exponent > 0) return x;
+  if (y.raw() != 0 && x.raw() == 0) {
+    if (y.raw() > 0) return x;
     return detail::outside_domain<result>((std::numeric_limits<Raw>::max)(), "pow", x, y);
   }
-  if (x.raw() < 0 && exponent % (std::int64_t{1} << Point) != 0) {
+  if (x.raw() < 0 && !detail::real_operand_of(y).is_whole()) {
     return detail::outside_domain<result>(0, "pow", x, y);
   }
   return detail::limited<result>(detail::FIXED_FUNCTIONS::power_of(x, y), "pow", x, y);

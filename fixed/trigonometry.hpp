@@ -1,6 +1,6 @@
 /// @file
-/// Sines, cosines and tangents of radians, degrees and turns, rounded to nearest, in every format
-/// of at most 32 bits; docs/functions.md says what was compared.
+/// Sines, cosines and tangents of radians, degrees and turns, rounded to nearest, in every format;
+/// docs/functions.md says what was compared.
 ///
 /// Each result is the number nearest to the exact value, under every policy. Only sines and cosines
 /// of degrees in a format without fraction bits have ties: 1/2 and -1/2. If the policy rounds
@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "fixed/detail/function_kinds.hpp"
+#include "fixed/detail/interval_results.hpp"
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/variant.hpp"
@@ -33,20 +34,33 @@ namespace detail::FIXED_FUNCTIONS {
 /// The sine of an angle plus `ahead` quarter turns, as a To.
 template <angle_unit Unit, class To, class Number>
 constexpr To sine_of(Number x, unsigned ahead, const char* function) noexcept(To::never_throws) {
-  return limited<To>(
-      nearest_sine_of<Unit, ties_of<To>>(x.raw(), ahead, Number::fraction_bits, To::fraction_bits),
-      function, x);
+  if constexpr (needs_intervals<To, Number>) {
+    return limited<To>(
+        interval_sine<Unit, ties_of<To>>(real_operand_of(x), ahead, To::fraction_bits), function,
+        x);
+  } else {
+    return limited<To>(nearest_sine_of<Unit, ties_of<To>>(x.raw(), ahead, Number::fraction_bits,
+                                                          To::fraction_bits),
+                       function, x);
+  }
 }
 
 /// The tangent of an angle, as a To.
 template <angle_unit Unit, class To, class Number>
 constexpr To tangent_of(Number x, const char* function) noexcept(To::never_throws) {
-  if (is_pole<Unit>(x.raw(), Number::fraction_bits)) {
-    using limits = std::numeric_limits<typename To::raw_type>;
-    return outside_domain<To>((limits::max)(), function, x);
+  using limits = std::numeric_limits<typename To::raw_type>;
+  if constexpr (needs_intervals<To, Number>) {
+    if (is_tangent_pole<Unit>(real_operand_of(x))) {
+      return outside_domain<To>((limits::max)(), function, x);
+    }
+    return limited<To>(interval_tangent<Unit>(real_operand_of(x), To::fraction_bits), function, x);
+  } else {
+    if (is_pole<Unit>(x.raw(), Number::fraction_bits)) {
+      return outside_domain<To>((limits::max)(), function, x);
+    }
+    return limited<To>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits, To::fraction_bits),
+                       function, x);
   }
-  return limited<To>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits, To::fraction_bits),
-                     function, x);
 }
 
 }  // namespace detail::FIXED_FUNCTIONS
@@ -59,7 +73,6 @@ inline namespace FIXED_FUNCTIONS {
 template <class Raw, int Point, policy Rules>
 requires(!detail::has_radians<Raw, Point>) [[nodiscard]] constexpr number<Raw, Point, Rules> sin(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(sin, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, number<Raw, Point, Rules>>(
       angle, 0, "sin");
 }
@@ -70,7 +83,6 @@ requires(!detail::has_radians<Raw, Point>) [[nodiscard]] constexpr number<Raw, P
 template <class Raw, int Point, policy Rules>
 requires(!detail::has_radians<Raw, Point>) [[nodiscard]] constexpr number<Raw, Point, Rules> cos(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(cos, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, number<Raw, Point, Rules>>(
       angle, 1, "cos");
 }
@@ -81,7 +93,6 @@ requires(!detail::has_radians<Raw, Point>) [[nodiscard]] constexpr number<Raw, P
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> tan(number<Raw, Point, Rules> angle) noexcept(
     number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(tan, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::radian, number<Raw, Point, Rules>>(
       angle, "tan");
 }
@@ -92,7 +103,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> sin_of_degrees(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_of_degrees, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, number<Raw, Point, Rules>>(
       angle, 0, "sin_of_degrees");
 }
@@ -103,7 +113,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> cos_of_degrees(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(cos_of_degrees, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, number<Raw, Point, Rules>>(
       angle, 1, "cos_of_degrees");
 }
@@ -115,7 +124,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> tan_of_degrees(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(tan_of_degrees, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::degree, number<Raw, Point, Rules>>(
       angle, "tan_of_degrees");
 }
@@ -126,7 +134,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> sin_of_turns(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_of_turns, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, number<Raw, Point, Rules>>(
       angle, 0, "sin_of_turns");
 }
@@ -137,7 +144,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> cos_of_turns(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(cos_of_turns, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, number<Raw, Point, Rules>>(
       angle, 1, "cos_of_turns");
 }
@@ -149,7 +155,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> tan_of_turns(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(tan_of_turns, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::turn, number<Raw, Point, Rules>>(
       angle, "tan_of_turns");
 }

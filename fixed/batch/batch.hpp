@@ -159,7 +159,9 @@ template <detail::number_range First, detail::input_of<detail::element_t<First>>
     if constexpr (detail::rounds_modulo<Number>) {
       return detail::rounded_sum<Number>(sum);
     } else {
-      return detail::rounded_sum<Number>(sum, count);
+      return detail::rounded_sum<Number>(sum, [count] {
+        detail::raise<overflow_error>("overflow", "dot", detail::term_count{count});
+      });
     }
   }
 }

@@ -67,7 +67,9 @@ constexpr Raw converted(Float x) noexcept {
   // half.
   const std::uint64_t significand = ((bits & (leading - 1)) | leading) << (52 - digits);
   auto value = static_cast<std::int64_t>((significand ^ sign) - sign);
-  if constexpr (Rounding == rounding::floor) value = magnitude == 0 ? 0 : value;
+  if constexpr (Rounding == rounding::floor || Rounding == rounding::ceiling) {
+    value = magnitude == 0 ? 0 : value;
+  }
   const std::uint64_t end = static_cast<std::uint64_t>(highest) - sign;
 
   // One result of all branches, which g++ vectorises better than returns.

@@ -66,7 +66,8 @@ inline constexpr bool has_integer_quotient =
 /// Whether quotient.hpp also has the quotient in doubles, a form that compilers vectorise.
 template <class Raw, int FractionBits, policy Rules>
 inline constexpr bool has_fast_quotient =
-    has_integer_quotient<Raw, FractionBits, Rules>&& numerator_shift<FractionBits, Rules> <= 16;
+    has_integer_quotient<Raw, FractionBits, Rules>&& numerator_shift<FractionBits, Rules> <= 16 &&
+    Rules.divide != rounding::ceiling;
 
 /// Holds a numerator after its shift, and every quotient.
 template <class Raw, int FractionBits, policy Rules>

@@ -43,10 +43,17 @@ FIXED_ALWAYS_INLINE constexpr std::int64_t quotient_by_integers(std::int32_t num
     return (twice / divisor + one_if_negative(~(numerator ^ divisor))) >> 1;
   } else {
     const std::int64_t scaled = std::int64_t{numerator} * (std::int64_t{1} << Shift);
-    // A negative quotient that is not an integer has a floor below its truncation.
-    const bool between =
-        Rounding == rounding::floor && scaled % divisor != 0 && below != divisor_below;
-    return scaled / divisor - std::int64_t{between};
+    const bool negative = below != divisor_below;
+    const std::int64_t truncated = scaled / divisor;
+    // A negative quotient that is not an integer has a floor below its truncation, and a positive
+    // one a ceiling above it.
+    if constexpr (Rounding == rounding::floor) {
+      return truncated - std::int64_t{scaled % divisor != 0 && negative};
+    } else if constexpr (Rounding == rounding::ceiling) {
+      return truncated + std::int64_t{scaled % divisor != 0 && !negative};
+    } else {
+      return truncated;
+    }
   }
 }
 

@@ -57,7 +57,7 @@ template <class Error, class... Operands>
 
 template <class Raw, int FractionBits>
 std::string describe(operand<Raw, FractionBits> x) {
-  std::array<char, max_decimal_chars<Raw, FractionBits>> text{};
+  std::array<char, max_decimal_chars<Raw, FractionBits> > text{};
   return {text.data(), write_decimal<FractionBits>(text.data(), x.raw)};
 }
 

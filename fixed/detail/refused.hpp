@@ -100,10 +100,6 @@ FIXED_REFUSED_SHIFT(>>)
   template <class Number, class... Type>                                \
   requires detail::is_plain_number<Number> Number name(Number, Type...) \
   FIXED_INSTEAD(text);
-FIXED_ABSENT(acosh, "no acosh: write log(x + sqrt(x * x - 1))")
-FIXED_ABSENT(asinh, "no asinh: write log(x + hypot(x, q16_16(1))) for x >= 0")
-FIXED_ABSENT(atanh, "no atanh: write (log1p(x) - log1p(-x)) / 2")
-FIXED_ABSENT(exp10, "no exp10: write pow(q16_16(10), x)")
 FIXED_ABSENT(fabs, "no fabs: write abs(x)")
 FIXED_ABSENT(fdim, "no fdim: write max(x, y) - y")
 FIXED_ABSENT(fma, "no fma: write mul_add(a, b, c), which rounds once, too")

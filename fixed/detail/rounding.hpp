@@ -38,6 +38,8 @@ FIXED_ALWAYS_INLINE constexpr Int bias(bool negative, bool odd, Int unit) noexce
     return (unit >> 1) - Int{!odd};
   } else if constexpr (Rounding == rounding::truncate) {
     return negative ? unit - Int{1} : Int{0};
+  } else if constexpr (Rounding == rounding::ceiling) {
+    return unit - Int{1};
   } else {
     static_assert(Rounding == rounding::floor);
     return Int{0};
@@ -67,6 +69,8 @@ constexpr bool rounds_up(std::strong_ordering order, bool exact, bool negative, 
     return std::is_gt(order) || (std::is_eq(order) && odd);
   } else if constexpr (Rounding == rounding::truncate) {
     return negative && !exact;
+  } else if constexpr (Rounding == rounding::ceiling) {
+    return !exact;
   } else {
     static_assert(Rounding == rounding::floor);
     return false;
@@ -134,6 +138,8 @@ constexpr bool grows(Word rest, Word divisor, bool negative, bool odd) noexcept 
     return rest + Word{odd} > to_next;
   } else if constexpr (Rounding == rounding::truncate) {
     return false;
+  } else if constexpr (Rounding == rounding::ceiling) {
+    return !negative && rest != 0;
   } else {
     static_assert(Rounding == rounding::floor);
     return negative && rest != 0;

@@ -30,6 +30,12 @@ inline constexpr int bits_of = std::numeric_limits<Raw>::digits + (std::is_signe
 template <class Raw>
 inline constexpr int signed_bits = std::numeric_limits<Raw>::digits + 1;
 
+/// Holds the product of a RawA and a RawB, a term of a Sum: at most 64 bits if they hold it,
+/// because processors of 32 bits add these to a wider sum with less work.
+template <class RawA, class RawB, class Sum>
+using term_t = std::conditional_t<(signed_bits<RawA> + signed_bits<RawB> <= 65),
+                                  signed_t<signed_bits<RawA> + signed_bits<RawB> - 1>, Sum>;
+
 /// Holds the product of two Raws, and that plus a half ulp.
 template <class Raw>
 using product_t = signed_t<2 * bits_of<Raw> + (std::is_signed_v<Raw> ? 0 : 1)>;

@@ -126,8 +126,8 @@ requires record::detail::is_recorded<Recorded>
 }
 
 /// The accumulator of recorded numbers. It records every term and the result.
-template <class Number>
-class accumulator<recorded_number<Number>> {
+template <class Number, std::uint64_t Terms>
+class accumulator<recorded_number<Number>, Terms> {
   using recorded = recorded_number<Number>;
 
  public:
@@ -180,7 +180,7 @@ class accumulator<recorded_number<Number>> {
     return *this;
   }
 
-  accumulator<Number> sum_;
+  accumulator<Number, Terms> sum_;
 };
 
 }  // namespace fixproof

@@ -22,6 +22,8 @@ FIXED_LANE_FUNCTION i64 biased(i64 sum) {
     return sum + (unit / 2 - 1) + i64(u64(sum) >> Point & 1);
   } else if constexpr (Rounding == rounding::truncate) {
     return sum + (negative(sum) & (unit - 1));
+  } else if constexpr (Rounding == rounding::ceiling) {
+    return sum + (unit - 1);
   } else {
     static_assert(Rounding == rounding::floor);
     return sum;
@@ -37,6 +39,7 @@ FIXED_LANE_FUNCTION i32 rounded(i32 sum) {
   if constexpr (Rounding == rounding::half_away) sum += unit / 2 + (sum >> 31);
   if constexpr (Rounding == rounding::half_even) sum += unit / 2 - 1 + (sum >> Point & 1);
   if constexpr (Rounding == rounding::truncate) sum += (sum >> 31) & (unit - 1);
+  if constexpr (Rounding == rounding::ceiling) sum += unit - 1;
   return sum >> Point;
 }
 

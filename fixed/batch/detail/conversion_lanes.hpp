@@ -12,7 +12,7 @@ template <class Float, rounding Rounding, class Part>
 FIXED_LANE_FUNCTION f64 load_doubles(const void* base, std::size_t index, Part part) {
   if constexpr (sizeof(Float) == 4) {
     half_i32 bits = load_half<std::int32_t>(base, index, part);
-    if constexpr (Rounding == rounding::floor) {
+    if constexpr (Rounding == rounding::floor || Rounding == rounding::ceiling) {
       constexpr std::int32_t normal = 1 << 23;
       const half_i32 magnitude = bits & (std::numeric_limits<std::int32_t>::max)();
       bits |= half_i32(magnitude > 0) & half_i32(magnitude < normal) & normal;
@@ -20,7 +20,7 @@ FIXED_LANE_FUNCTION f64 load_doubles(const void* base, std::size_t index, Part p
     return __builtin_convertvector(half_f32(bits), f64);
   } else {
     const f64 x = load_half_doubles(base, index, part);
-    if constexpr (Rounding == rounding::floor) {
+    if constexpr (Rounding == rounding::floor || Rounding == rounding::ceiling) {
       constexpr std::int64_t normal = std::int64_t{1} << 52;
       const i64 magnitude = i64(x) & (std::numeric_limits<std::int64_t>::max)();
       return f64(i64(x) | (i64(magnitude > 0) & i64(magnitude < normal) & normal));
@@ -37,6 +37,8 @@ FIXED_LANE_FUNCTION half_i32 half_rounded(f64 twice) {
     return low_words(i64(u64(whole<true>(twice) + 1) >> 1));
   } else if constexpr (Rounding == rounding::floor) {
     return low_words(i64(u64(whole<true>(twice)) >> 1));
+  } else if constexpr (Rounding == rounding::ceiling) {
+    return -low_words(i64(u64(whole<true>(-twice)) >> 1));
   } else if constexpr (Rounding == rounding::half_even) {
     const i64 floor = whole<true>(twice);
     const i64 up = i64(u64(floor + 1) >> 1);
