@@ -68,6 +68,11 @@ struct policy {
   /// Rounding of roots, exponentials, sines and other functions: nearest, floor, ceiling or
   /// truncate. The last three give bounds of the exact result; see docs/functions.md.
   rounding functions = rounding::nearest;
+  /// For code that is moved from plain integers, and only until it is. Whoever reads `x * n` or
+  /// `(int)x` in such code cannot tell whether stored integers or values are meant. So integers and
+  /// floating-point numbers are no operands, and convert by name alone: from_raw(n) and x.raw(), or
+  /// for values by the type without this rule, as in q16_16(x).
+  bool moving = false;
 
   /// The overflow rule of products.
   [[nodiscard]] constexpr overflow product_range() const noexcept {
