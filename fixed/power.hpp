@@ -1,15 +1,17 @@
 /// @file
 /// Roots, reciprocals, lengths and powers, to nearest; docs/functions.md says what was compared.
 ///
-/// Each result is the number nearest to the exact value, under every policy. If the policy rounds
-/// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
-/// an overflow_error under overflow::trap. Under every other policy it saturates. reciprocal(),
-/// hypot() and sqrt<To>() take every format, the others only formats of at most 32 bits.
+/// Each result is the number nearest to the exact value, or a bound of it under policy::functions.
+/// If the policy rounds products to nearest, ties follow that rule; otherwise they go up. A result
+/// out of range throws an overflow_error under overflow::trap. Under every other policy it
+/// saturates. reciprocal(), hypot() and sqrt<To>() take every format, the others only formats of at
+/// most 32 bits.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 
+#include "fixed/detail/interval_results.hpp"
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/overflow.hpp"
@@ -32,7 +34,7 @@ namespace fixproof {
 
 namespace detail::FIXED_FUNCTIONS {
 
-/// The root of a sum of squares, to nearest.
+/// The root of a sum of squares.
 template <class Number, class... Coordinates>
 constexpr Number length(Coordinates... of) noexcept(Number::never_throws) {
   using raw = typename Number::raw_type;
@@ -41,16 +43,19 @@ constexpr Number length(Coordinates... of) noexcept(Number::never_throws) {
   // 1).
   if constexpr (2 * bits + 2 <= 64) {
     const auto square = [](std::int64_t x) { return static_cast<std::uint64_t>(x * x); };
-    return limited<Number>(nearest_sqrt_of_word((square(of.raw()) + ...)), "hypot", of...);
+    return limited<Number>(rounded_sqrt_of_word<rounding_of<Number>>((square(of.raw()) + ...)),
+                           "hypot", of...);
   } else {
     using wide = signed_t<2 * bits + 5>;
     const auto square = [](const wide& x) { return x * x; };
-    return limited<Number>(nearest_sqrt_by_pairs<bits + 2>((square(wide{of.raw()}) + ...)), "hypot",
-                           of...);
+    const wide sum = (square(wide{of.raw()}) + ...);
+    return limited<Number>(
+        rounded_root<rounding_of<Number>>(nearest_sqrt_by_pairs<bits + 2>(sum), sum), "hypot",
+        of...);
   }
 }
 
-/// The root of a sum of squares as a To, to nearest. The numbers of the sum are brought to the
+/// The root of a sum of squares as a To. The numbers of the sum are brought to the
 /// highest of their fraction bits.
 template <class To, class... Coordinates>
 constexpr To length_to(Coordinates... of) noexcept(To::never_throws) {
@@ -76,44 +81,73 @@ constexpr To length_to(Coordinates... of) noexcept(To::never_throws) {
   const auto square = [](const factor& x) { return wide{x * x}; };
   const wide sum = (square(factor{of.raw()} << (fraction - Coordinates::fraction_bits)) + ...);
   return narrowed_to<To, function_range<To::rules.range>>(
-      nearest_scaled_sqrt<ties_of<To>, shift, sum_bits>(sum), "hypot", of...);
+      rounded_scaled_sqrt<rounding_of<To>, shift, sum_bits>(sum), "hypot", of...);
+}
+
+template <class Number>
+constexpr bool is_whole(Number y) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return real_operand_of(y).is_whole();
+  } else {
+    return std::int64_t{y.raw()} % (std::int64_t{1} << Number::fraction_bits) == 0;
+  }
 }
 
 /// The ulps of x^y for x < 0 and a whole y, or for x > 0.
 template <class Number>
-constexpr std::int64_t power_of(Number x, Number y) noexcept {
-  constexpr int Point = Number::fraction_bits;
-  const std::int64_t raw{x.raw()};
-  const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
-  const bool is_odd_power = (std::int64_t{y.raw()} >> Point & 1) != 0;
-  constexpr rounding ties = ties_of<Number>;
-  if (raw > 0 || !is_odd_power) return nearest_real_power<ties>(magnitude, y.raw(), Point);
-  // A negative tie that goes up goes down in magnitude.
-  constexpr bool is_up = ties == rounding::half_up;
-  return -(is_up ? nearest_real_power<rounding::floor>(magnitude, y.raw(), Point)
-                 : nearest_real_power<ties>(magnitude, y.raw(), Point));
+constexpr auto power_of(Number x, Number y) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return interval_power<rounding_of<Number>>(real_operand_of(x), real_operand_of(y),
+                                               Number::fraction_bits);
+  } else {
+    constexpr int Point = Number::fraction_bits;
+    const std::int64_t raw{x.raw()};
+    const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+    const bool is_odd_power = (std::int64_t{y.raw()} >> Point & 1) != 0;
+    constexpr rounding ties = rounding_of<Number>;
+    if (raw > 0 || !is_odd_power) return nearest_real_power<ties>(magnitude, y.raw(), Point);
+    // A negative tie that goes up goes down in magnitude.
+    constexpr bool is_up = ties == rounding::half_up;
+    return -(is_up ? nearest_real_power<rounding::floor>(magnitude, y.raw(), Point)
+                   : nearest_real_power<ties>(magnitude, y.raw(), Point));
+  }
 }
 
 /// The ulps of the cube root.
 template <class Number>
-constexpr std::int64_t cube_root(Number x) noexcept {
-  const std::int64_t raw{x.raw()};
-  const std::int64_t root =
-      nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw), Number::fraction_bits);
-  return raw < 0 ? -root : root;
+constexpr auto cube_root(Number x) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return interval_cube_root<rounding_of<Number>>(real_operand_of(x), Number::fraction_bits);
+  } else {
+    const std::int64_t raw{x.raw()};
+    const std::int64_t root =
+        nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw), Number::fraction_bits);
+    return raw < 0 ? -root : root;
+  }
 }
 
 /// The ulps of 1 / sqrt(x) for x > 0.
 template <class Number>
-constexpr std::int64_t reciprocal_root(Number x) noexcept {
-  return nearest_reciprocal_root<ties_of<Number>>(static_cast<std::uint64_t>(x.raw()),
-                                                  Number::fraction_bits);
+constexpr auto reciprocal_root(Number x) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return interval_reciprocal_root<rounding_of<Number>>(real_operand_of(x), Number::fraction_bits);
+  } else {
+    return nearest_reciprocal_root<rounding_of<Number>>(static_cast<std::uint64_t>(x.raw()),
+                                                        Number::fraction_bits);
+  }
 }
 
 /// The ulps of 1 / x for an x that is not 0.
 template <class Number>
 constexpr auto reciprocal_of(Number x) noexcept {
-  return nearest_reciprocal<ties_of<Number>, Number::fraction_bits>(x.raw());
+  constexpr int Point = Number::fraction_bits;
+  constexpr rounding rule = rounding_of<Number>;
+  if constexpr (is_to_nearest<rule>) {
+    return nearest_reciprocal<rule, Point>(x.raw());
+  } else {
+    using wide = signed_t<larger(2 * Point + 2, signed_bits<typename Number::raw_type> + 1)>;
+    return rounded_ratio<rule>(wide{1} << (2 * Point), wide{x.raw()});
+  }
 }
 
 }  // namespace detail::FIXED_FUNCTIONS
@@ -126,7 +160,6 @@ inline namespace FIXED_FUNCTIONS {
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> cbrt(number<Raw, Point, Rules> x) noexcept(
     number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(cbrt, number<Raw, Point, Rules>);
   return detail::limited<number<Raw, Point, Rules>>(detail::FIXED_FUNCTIONS::cube_root(x), "cbrt",
                                                     x);
 }
@@ -138,7 +171,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> rsqrt(number<Raw, Point, Rules> x) noexcept(
     number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(rsqrt, number<Raw, Point, Rules>);
   if (x.raw() <= 0) {
     return detail::outside_domain<number<Raw, Point, Rules>>((std::numeric_limits<Raw>::max)(),
                                                              "rsqrt", x);
@@ -147,8 +179,8 @@ template <class Raw, int Point, policy Rules>
                                                     "rsqrt", x);
 }
 
-/// 1 / x, rounded to nearest. (Operator / rounds as the policy says.) For zero it throws a
-/// domain_error under overflow::trap, and is the highest number under every other policy.
+/// 1 / x, rounded as other functions. (Operator / rounds as policy::divide says.) For zero it
+/// throws a domain_error under overflow::trap, and is the highest number under every other policy.
 ///
 ///     static_assert(reciprocal(q16_16(-3)).raw() == -21845);  // -21845.3
 template <class Raw, int Point, policy Rules>
@@ -204,7 +236,7 @@ requires detail::is_plain_number<To>
                                                bits + detail::larger(shift, 1) + 4)>;
   const Raw positive = x.raw() < 0 ? Raw{0} : x.raw();
   return detail::narrowed_to<To, range>(
-      detail::nearest_scaled_sqrt<detail::ties_of<To>, shift, bits>(wide{positive}), "sqrt", x);
+      detail::rounded_scaled_sqrt<detail::rounding_of<To>, shift, bits>(wide{positive}), "sqrt", x);
 }
 
 /// The length of the vector (x, y) as a To: the To nearest to the exact length, for every x and y.
@@ -242,14 +274,12 @@ template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> pow(
     number<Raw, Point, Rules> x,
     number<Raw, Point, Rules> y) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(pow, number<Raw, Point, Rules>);
   using result = number<Raw, Point, Rules>;
-  const std::int64_t exponent{y.raw()};
-  if (exponent != 0 && x.raw() == 0) {
-    if (exponent > 0) return x;
+  if (y.raw() != 0 && x.raw() == 0) {
+    if (y.raw() > 0) return x;
     return detail::outside_domain<result>((std::numeric_limits<Raw>::max)(), "pow", x, y);
   }
-  if (x.raw() < 0 && exponent % (std::int64_t{1} << Point) != 0) {
+  if (x.raw() < 0 && !detail::FIXED_FUNCTIONS::is_whole(y)) {
     return detail::outside_domain<result>(0, "pow", x, y);
   }
   return detail::limited<result>(detail::FIXED_FUNCTIONS::power_of(x, y), "pow", x, y);

@@ -1,17 +1,16 @@
 /// @file
 /// Functions of real numbers with a result in a format of its own: sin<q2_30>(x) for an x of 16.16.
 ///
-/// Each result is the To nearest to the exact value, under every policy. To
-/// and the operand have at most 32 bits. The policy of To decides ties and results out of range,
-/// and what happens outside the domain, as the policy of the type does in the functions of one
-/// format. sqrt<To>() and hypot<To>() are in fixed/power.hpp.
+/// Each result is the To nearest to the exact value, or a bound of it under policy::functions of
+/// To. The policy of To decides ties and results out of range, and what happens outside the domain,
+/// as the policy of the type does in the functions of one format. sqrt<To>() and hypot<To>() are in
+/// fixed/power.hpp.
 #pragma once
 
 #include <cstdint>
 
 #include "fixed/angle.hpp"
 #include "fixed/detail/function_kinds.hpp"
-#include "fixed/detail/operands.hpp"
 #include "fixed/detail/variant.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/number.hpp"
@@ -30,8 +29,6 @@ inline namespace FIXED_FUNCTIONS {
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To sin(number<Raw, Point, Rules> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin, To);
-  FIXED_NEEDS_32_BITS(sin, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, To>(angle, 0, "sin");
 }
 
@@ -39,8 +36,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To cos(number<Raw, Point, Rules> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(cos, To);
-  FIXED_NEEDS_32_BITS(cos, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, To>(angle, 1, "cos");
 }
 
@@ -50,8 +45,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To tan(number<Raw, Point, Rules> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(tan, To);
-  FIXED_NEEDS_32_BITS(tan, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::radian, To>(angle, "tan");
 }
 
@@ -60,8 +53,6 @@ template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To sin_of_degrees(number<Raw, Point, Rules> angle) noexcept(
     To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_of_degrees, To);
-  FIXED_NEEDS_32_BITS(sin_of_degrees, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, To>(angle, 0,
                                                                           "sin_of_degrees");
 }
@@ -73,8 +64,6 @@ template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To cos_of_degrees(number<Raw, Point, Rules> angle) noexcept(
     To::never_throws) {
-  FIXED_NEEDS_32_BITS(cos_of_degrees, To);
-  FIXED_NEEDS_32_BITS(cos_of_degrees, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, To>(angle, 1,
                                                                           "cos_of_degrees");
 }
@@ -85,8 +74,6 @@ template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To tan_of_degrees(number<Raw, Point, Rules> angle) noexcept(
     To::never_throws) {
-  FIXED_NEEDS_32_BITS(tan_of_degrees, To);
-  FIXED_NEEDS_32_BITS(tan_of_degrees, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::degree, To>(angle,
                                                                              "tan_of_degrees");
 }
@@ -98,8 +85,6 @@ template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To sin_of_turns(number<Raw, Point, Rules> angle) noexcept(
     To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_of_turns, To);
-  FIXED_NEEDS_32_BITS(sin_of_turns, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, To>(angle, 0, "sin_of_turns");
 }
 
@@ -108,8 +93,6 @@ template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To cos_of_turns(number<Raw, Point, Rules> angle) noexcept(
     To::never_throws) {
-  FIXED_NEEDS_32_BITS(cos_of_turns, To);
-  FIXED_NEEDS_32_BITS(cos_of_turns, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, To>(angle, 1, "cos_of_turns");
 }
 
@@ -119,8 +102,6 @@ template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To tan_of_turns(number<Raw, Point, Rules> angle) noexcept(
     To::never_throws) {
-  FIXED_NEEDS_32_BITS(tan_of_turns, To);
-  FIXED_NEEDS_32_BITS(tan_of_turns, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::turn, To>(angle, "tan_of_turns");
 }
 
@@ -131,8 +112,6 @@ template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr sin_and_cos<To> sin_cos(number<Raw, Point, Rules> angle) noexcept(
     To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_cos, To);
-  FIXED_NEEDS_32_BITS(sin_cos, number<Raw, Point, Rules>);
   return {sin<To>(angle), cos<To>(angle)};
 }
 
@@ -141,8 +120,6 @@ template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr sin_and_cos<To> sin_cos_of_degrees(
     number<Raw, Point, Rules> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_cos_of_degrees, To);
-  FIXED_NEEDS_32_BITS(sin_cos_of_degrees, number<Raw, Point, Rules>);
   return {sin_of_degrees<To>(angle), cos_of_degrees<To>(angle)};
 }
 
@@ -151,8 +128,6 @@ template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr sin_and_cos<To> sin_cos_of_turns(number<Raw, Point, Rules> angle) noexcept(
     To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_cos_of_turns, To);
-  FIXED_NEEDS_32_BITS(sin_cos_of_turns, number<Raw, Point, Rules>);
   return {sin_of_turns<To>(angle), cos_of_turns<To>(angle)};
 }
 
@@ -167,8 +142,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To exp2(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(exp2, To);
-  FIXED_NEEDS_32_BITS(exp2, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::two, To>(x, 0, "exp2");
 }
 
@@ -178,8 +151,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To exp(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(exp, To);
-  FIXED_NEEDS_32_BITS(exp, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, To>(x, 0, "exp");
 }
 
@@ -187,18 +158,13 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To expm1(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(expm1, To);
-  FIXED_NEEDS_32_BITS(expm1, number<Raw, Point, Rules>);
-  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, To>(
-      x, std::int64_t{1} << To::fraction_bits, "expm1");
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, To>(x, 1, "expm1");
 }
 
 /// The hyperbolic sine, as a To.
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To sinh(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sinh, To);
-  FIXED_NEEDS_32_BITS(sinh, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::sine, To>(x, "sinh");
 }
 
@@ -206,8 +172,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To cosh(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(cosh, To);
-  FIXED_NEEDS_32_BITS(cosh, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::cosine, To>(x, "cosh");
 }
 
@@ -217,8 +181,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To tanh(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(tanh, To);
-  FIXED_NEEDS_32_BITS(tanh, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::hyperbolic_tangent<To>(x);
 }
 
@@ -234,8 +196,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To log(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log, To);
-  FIXED_NEEDS_32_BITS(log, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, To>(x, 0, "log");
 }
 
@@ -243,18 +203,13 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To log1p(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log1p, To);
-  FIXED_NEEDS_32_BITS(log1p, number<Raw, Point, Rules>);
-  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, To>(
-      x, std::int64_t{1} << Point, "log1p");
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, To>(x, 1, "log1p");
 }
 
 /// The logarithm to base 2, as a To. For x <= 0, see log().
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To log2(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log2, To);
-  FIXED_NEEDS_32_BITS(log2, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::two, To>(x, 0, "log2");
 }
 
@@ -262,8 +217,6 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To log10(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log10, To);
-  FIXED_NEEDS_32_BITS(log10, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::ten, To>(x, 0, "log10");
 }
 
@@ -278,9 +231,7 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To atan(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(atan, To);
-  FIXED_NEEDS_32_BITS(atan, number<Raw, Point, Rules>);
-  return detail::FIXED_FUNCTIONS::angle_of<To>(x.raw(), std::int64_t{1} << Point, "atan", x);
+  return detail::FIXED_FUNCTIONS::angle_of_slope<detail::angle_unit::radian, To>(x, "atan");
 }
 
 /// The angle of the vector (x, y), as a To; 0 if both are 0. The two numbers have one type.
@@ -290,9 +241,7 @@ template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To atan2(number<Raw, Point, Rules> y,
                                  number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(atan2, To);
-  FIXED_NEEDS_32_BITS(atan2, number<Raw, Point, Rules>);
-  return detail::FIXED_FUNCTIONS::angle_of<To>(y.raw(), x.raw(), "atan2", y, x);
+  return detail::FIXED_FUNCTIONS::angle_of<detail::angle_unit::radian, To>(y, x, "atan2");
 }
 
 /// The angle whose sine is x, as a To. Outside -1 to 1 it is 0, or a domain_error.
@@ -301,18 +250,16 @@ requires detail::is_plain_number<To>
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To asin(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(asin, To);
-  FIXED_NEEDS_32_BITS(asin, number<Raw, Point, Rules>);
-  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::sine, To>(x, "asin");
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::angle_unit::radian,
+                                                 detail::triangle_side::sine, To>(x, "asin");
 }
 
 /// The angle whose cosine is x, as a To. Outside -1 to 1, see asin().
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To acos(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(acos, To);
-  FIXED_NEEDS_32_BITS(acos, number<Raw, Point, Rules>);
-  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::cosine, To>(x, "acos");
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::angle_unit::radian,
+                                                 detail::triangle_side::cosine, To>(x, "acos");
 }
 
 /// \}

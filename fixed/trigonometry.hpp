@@ -1,11 +1,11 @@
 /// @file
-/// Sines, cosines and tangents of radians, degrees and turns, rounded to nearest, in every format
-/// of at most 32 bits; docs/functions.md says what was compared.
+/// Sines, cosines and tangents of radians, degrees and turns, rounded to nearest, in every format;
+/// docs/functions.md says what was compared.
 ///
-/// Each result is the number nearest to the exact value, under every policy. Only sines and cosines
-/// of degrees in a format without fraction bits have ties: 1/2 and -1/2. If the policy rounds
-/// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
-/// an overflow_error under overflow::trap. Under every other policy it saturates.
+/// Each result is the number nearest to the exact value, or a bound of it under policy::functions.
+/// Only sines and cosines of degrees in a format without fraction bits have ties: 1/2 and -1/2. If
+/// the policy rounds products to nearest, ties follow that rule; otherwise they go up. A result out
+/// of range throws an overflow_error under overflow::trap. Under every other policy it saturates.
 ///
 /// fixed/sine.hpp has sin(), cos() and sin_cos() of radians in 16.16 and 8.8.
 #pragma once
@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "fixed/detail/function_kinds.hpp"
+#include "fixed/detail/interval_results.hpp"
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/variant.hpp"
@@ -33,20 +34,35 @@ namespace detail::FIXED_FUNCTIONS {
 /// The sine of an angle plus `ahead` quarter turns, as a To.
 template <angle_unit Unit, class To, class Number>
 constexpr To sine_of(Number x, unsigned ahead, const char* function) noexcept(To::never_throws) {
-  return limited<To>(
-      nearest_sine_of<Unit, ties_of<To>>(x.raw(), ahead, Number::fraction_bits, To::fraction_bits),
-      function, x);
+  if constexpr (needs_intervals<To, Number>) {
+    return limited<To>(
+        interval_sine<Unit, rounding_of<To>>(real_operand_of(x), ahead, To::fraction_bits),
+        function, x);
+  } else {
+    return limited<To>(nearest_sine_of<Unit, rounding_of<To>>(x.raw(), ahead, Number::fraction_bits,
+                                                              To::fraction_bits),
+                       function, x);
+  }
 }
 
 /// The tangent of an angle, as a To.
 template <angle_unit Unit, class To, class Number>
 constexpr To tangent_of(Number x, const char* function) noexcept(To::never_throws) {
-  if (is_pole<Unit>(x.raw(), Number::fraction_bits)) {
-    using limits = std::numeric_limits<typename To::raw_type>;
-    return outside_domain<To>((limits::max)(), function, x);
+  using limits = std::numeric_limits<typename To::raw_type>;
+  if constexpr (needs_intervals<To, Number>) {
+    if (is_tangent_pole<Unit>(real_operand_of(x))) {
+      return outside_domain<To>((limits::max)(), function, x);
+    }
+    return limited<To>(
+        interval_tangent<Unit, rounding_of<To>>(real_operand_of(x), To::fraction_bits), function,
+        x);
+  } else {
+    if (is_pole<Unit>(x.raw(), Number::fraction_bits)) {
+      return outside_domain<To>((limits::max)(), function, x);
+    }
+    return limited<To>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits, To::fraction_bits),
+                       function, x);
   }
-  return limited<To>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits, To::fraction_bits),
-                     function, x);
 }
 
 }  // namespace detail::FIXED_FUNCTIONS
@@ -57,9 +73,9 @@ inline namespace FIXED_FUNCTIONS {
 ///
 ///     static_assert(sin(q2_30(1)).raw() == 903522590);  // 903522589.9
 template <class Raw, int Point, policy Rules>
-requires(!detail::has_radians<Raw, Point>) [[nodiscard]] constexpr number<Raw, Point, Rules> sin(
-    number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(sin, number<Raw, Point, Rules>);
+requires(!detail::has_radians<Raw, Point, Rules>)
+    [[nodiscard]] constexpr number<Raw, Point, Rules> sin(number<Raw, Point, Rules> angle) noexcept(
+        number<Raw, Point, Rules>::never_throws) {
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, number<Raw, Point, Rules>>(
       angle, 0, "sin");
 }
@@ -68,9 +84,9 @@ requires(!detail::has_radians<Raw, Point>) [[nodiscard]] constexpr number<Raw, P
 ///
 ///     static_assert(cos(q8_24(100)).raw() == 14467310);  // 14467309.98
 template <class Raw, int Point, policy Rules>
-requires(!detail::has_radians<Raw, Point>) [[nodiscard]] constexpr number<Raw, Point, Rules> cos(
-    number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(cos, number<Raw, Point, Rules>);
+requires(!detail::has_radians<Raw, Point, Rules>)
+    [[nodiscard]] constexpr number<Raw, Point, Rules> cos(number<Raw, Point, Rules> angle) noexcept(
+        number<Raw, Point, Rules>::never_throws) {
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, number<Raw, Point, Rules>>(
       angle, 1, "cos");
 }
@@ -81,7 +97,6 @@ requires(!detail::has_radians<Raw, Point>) [[nodiscard]] constexpr number<Raw, P
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> tan(number<Raw, Point, Rules> angle) noexcept(
     number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(tan, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::radian, number<Raw, Point, Rules>>(
       angle, "tan");
 }
@@ -92,7 +107,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> sin_of_degrees(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_of_degrees, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, number<Raw, Point, Rules>>(
       angle, 0, "sin_of_degrees");
 }
@@ -103,7 +117,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> cos_of_degrees(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(cos_of_degrees, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, number<Raw, Point, Rules>>(
       angle, 1, "cos_of_degrees");
 }
@@ -115,7 +128,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> tan_of_degrees(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(tan_of_degrees, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::degree, number<Raw, Point, Rules>>(
       angle, "tan_of_degrees");
 }
@@ -126,7 +138,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> sin_of_turns(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_of_turns, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, number<Raw, Point, Rules>>(
       angle, 0, "sin_of_turns");
 }
@@ -137,7 +148,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> cos_of_turns(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(cos_of_turns, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, number<Raw, Point, Rules>>(
       angle, 1, "cos_of_turns");
 }
@@ -149,7 +159,6 @@ template <class Raw, int Point, policy Rules>
 template <class Raw, int Point, policy Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> tan_of_turns(
     number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
-  FIXED_NEEDS_32_BITS(tan_of_turns, number<Raw, Point, Rules>);
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::turn, number<Raw, Point, Rules>>(
       angle, "tan_of_turns");
 }
@@ -158,7 +167,7 @@ template <class Raw, int Point, policy Rules>
 ///
 ///     const auto [sin, cos] = fixproof::sin_cos(fixproof::q2_30(0.5));
 template <class Raw, int Point, policy Rules>
-requires(!detail::has_radians<Raw, Point>)
+requires(!detail::has_radians<Raw, Point, Rules>)
     [[nodiscard]] constexpr sin_and_cos<number<Raw, Point, Rules>> sin_cos(
         number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
   return {sin(angle), cos(angle)};

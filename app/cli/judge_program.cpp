@@ -35,7 +35,7 @@ cases::Variant judged_by_run(const JudgeOptions& options) {
         "lists them",
         options.operation));
   }
-  return variant_in(operation, {options.format, options.run.to, options.run.terms});
+  return variant_in(operation, options.formats());
 }
 
 /// Returns how a program ended, such as "ends by signal 8 (Floating point exception)".
@@ -130,8 +130,7 @@ int judge_program(const JudgeOptions& options, const CLI::App& command) {
         progress->show(done);
       }};
   if (of_run.processes > 0) use.processes = of_run.processes;
-  use.rounding_is_open = options.rounding.empty() && options.rule.empty() &&
-                         of_run.within.empty() && check::is_rounded(variant);
+  use.rounding_is_open = is_open(options) && check::is_rounded(variant);
   const program::Verdict verdict = program::judge_program(use);
   progress.reset();
   expect_started(verdict, of_run.program);

@@ -6,7 +6,7 @@
 
 namespace fixproof::detail {
 
-enum class exponential_base { two, e };
+enum class exponential_base { two, e, ten };
 enum class logarithm_base { two, e, ten };
 enum class hyperbola { sine, cosine };
 enum class angle_unit { radian, degree, turn };

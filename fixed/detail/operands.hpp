@@ -10,9 +10,12 @@
 
 namespace fixproof::detail {
 
-/// Whether the functions cover the format.
-template <class Number>
-inline constexpr bool has_functions = bits_of<typename Number::raw_type> <= 32;
+/// Whether functions of these numbers are computed with intervals: if 64-bit integers are too short
+/// for the first try, or the results are bounds.
+template <class To, class... Number>
+inline constexpr bool needs_intervals = To::rules.functions != rounding::nearest ||
+                                        bits_of<typename To::raw_type> > 32 ||
+                                        ((bits_of<typename Number::raw_type> > 32) || ...);
 
 template <class Type>
 concept number_or_arithmetic = std::is_arithmetic_v<Type> || is_plain_number<Type>;
@@ -36,11 +39,6 @@ struct no_number {
 }  // namespace fixproof::detail
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): these put the name of a function into a text
-/// Refuses a format that function `name` does not cover.
-#define FIXED_NEEDS_32_BITS(name, ...)                        \
-  static_assert(fixproof::detail::has_functions<__VA_ARGS__>, \
-                #name " needs a format of at most 32 bits: convert, as in q16_16(x)")
-
 /// Refuses an operand that is not a number.
 #define FIXED_REFUSED_PLAIN(name)                    \
   template <int = 0>                                 \

@@ -14,16 +14,16 @@
 #include "fixed/detail/other_floats.hpp"
 #include "fixed/detail/storage.hpp"
 
-#if defined(FIXED_ON_ERROR)
+#if defined(FIXED_ON_ERROR) || __STDC_HOSTED__
 #include "fixed/detail/throw.hpp"
-#elif __STDC_HOSTED__
+#endif
+#if !defined(FIXED_ON_ERROR) && __STDC_HOSTED__
 #include <array>
 #include <charconv>
 #include <concepts>
 #include <string>
 #include <string_view>
 
-#include "fixed/detail/throw.hpp"
 #include "fixed/error.hpp"
 #endif
 
@@ -57,7 +57,7 @@ template <class Error, class... Operands>
 
 template <class Raw, int FractionBits>
 std::string describe(operand<Raw, FractionBits> x) {
-  std::array<char, max_decimal_chars<Raw, FractionBits>> text{};
+  std::array<char, max_decimal_chars<Raw, FractionBits> > text{};
   return {text.data(), write_decimal<FractionBits>(text.data(), x.raw)};
 }
 

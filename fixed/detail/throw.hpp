@@ -4,8 +4,8 @@
 #pragma once
 
 #if defined(FIXED_ON_ERROR)
-/// The program's function for errors, which has the name that FIXED_ON_ERROR stands for and does not
-/// return. Its arguments are constants.
+/// The program's function for errors, which has the name that FIXED_ON_ERROR stands for and does
+/// not return. Its arguments are constants.
 /// @param what      "overflow", "divide error" or "domain error"; another text for a wrong format
 /// @param operation as in the source: "operator+", "sqrt"
 extern "C" [[noreturn]] void FIXED_ON_ERROR(const char* what, const char* operation);
