@@ -1,10 +1,11 @@
 /// @file
 /// Roots, reciprocals, lengths and powers, to nearest; docs/functions.md says what was compared.
 ///
-/// Each result is the number nearest to the exact value, under every policy. If the policy rounds
-/// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
-/// an overflow_error under overflow::trap. Under every other policy it saturates. reciprocal(),
-/// hypot() and sqrt<To>() take every format, the others only formats of at most 32 bits.
+/// Each result is the number nearest to the exact value, or a bound of it under policy::functions.
+/// If the policy rounds products to nearest, ties follow that rule; otherwise they go up. A result
+/// out of range throws an overflow_error under overflow::trap. Under every other policy it
+/// saturates. reciprocal(), hypot() and sqrt<To>() take every format, the others only formats of at
+/// most 32 bits.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +34,7 @@ namespace fixproof {
 
 namespace detail::FIXED_FUNCTIONS {
 
-/// The root of a sum of squares, to nearest.
+/// The root of a sum of squares.
 template <class Number, class... Coordinates>
 constexpr Number length(Coordinates... of) noexcept(Number::never_throws) {
   using raw = typename Number::raw_type;
@@ -42,16 +43,19 @@ constexpr Number length(Coordinates... of) noexcept(Number::never_throws) {
   // 1).
   if constexpr (2 * bits + 2 <= 64) {
     const auto square = [](std::int64_t x) { return static_cast<std::uint64_t>(x * x); };
-    return limited<Number>(nearest_sqrt_of_word((square(of.raw()) + ...)), "hypot", of...);
+    return limited<Number>(rounded_sqrt_of_word<rounding_of<Number>>((square(of.raw()) + ...)),
+                           "hypot", of...);
   } else {
     using wide = signed_t<2 * bits + 5>;
     const auto square = [](const wide& x) { return x * x; };
-    return limited<Number>(nearest_sqrt_by_pairs<bits + 2>((square(wide{of.raw()}) + ...)), "hypot",
-                           of...);
+    const wide sum = (square(wide{of.raw()}) + ...);
+    return limited<Number>(
+        rounded_root<rounding_of<Number>>(nearest_sqrt_by_pairs<bits + 2>(sum), sum), "hypot",
+        of...);
   }
 }
 
-/// The root of a sum of squares as a To, to nearest. The numbers of the sum are brought to the
+/// The root of a sum of squares as a To. The numbers of the sum are brought to the
 /// highest of their fraction bits.
 template <class To, class... Coordinates>
 constexpr To length_to(Coordinates... of) noexcept(To::never_throws) {
@@ -77,7 +81,7 @@ constexpr To length_to(Coordinates... of) noexcept(To::never_throws) {
   const auto square = [](const factor& x) { return wide{x * x}; };
   const wide sum = (square(factor{of.raw()} << (fraction - Coordinates::fraction_bits)) + ...);
   return narrowed_to<To, function_range<To::rules.range>>(
-      nearest_scaled_sqrt<ties_of<To>, shift, sum_bits>(sum), "hypot", of...);
+      rounded_scaled_sqrt<rounding_of<To>, shift, sum_bits>(sum), "hypot", of...);
 }
 
 template <class Number>
@@ -93,19 +97,19 @@ constexpr bool is_whole(Number y) noexcept {
 template <class Number>
 constexpr auto power_of(Number x, Number y) noexcept {
   if constexpr (needs_intervals<Number>) {
-    return interval_power<ties_of<Number>>(real_operand_of(x), real_operand_of(y),
-                                           Number::fraction_bits);
+    return interval_power<rounding_of<Number>>(real_operand_of(x), real_operand_of(y),
+                                               Number::fraction_bits);
   } else {
-    constexpr int F = Number::fraction_bits;
+    constexpr int Point = Number::fraction_bits;
     const std::int64_t raw{x.raw()};
     const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
-    const bool is_odd_power = (std::int64_t{y.raw()} >> F & 1) != 0;
-    constexpr rounding ties = ties_of<Number>;
-    if (raw > 0 || !is_odd_power) return nearest_real_power<ties>(magnitude, y.raw(), F);
+    const bool is_odd_power = (std::int64_t{y.raw()} >> Point & 1) != 0;
+    constexpr rounding ties = rounding_of<Number>;
+    if (raw > 0 || !is_odd_power) return nearest_real_power<ties>(magnitude, y.raw(), Point);
     // A negative tie that goes up goes down in magnitude.
     constexpr bool is_up = ties == rounding::half_up;
-    return -(is_up ? nearest_real_power<rounding::floor>(magnitude, y.raw(), F)
-                   : nearest_real_power<ties>(magnitude, y.raw(), F));
+    return -(is_up ? nearest_real_power<rounding::floor>(magnitude, y.raw(), Point)
+                   : nearest_real_power<ties>(magnitude, y.raw(), Point));
   }
 }
 
@@ -113,7 +117,7 @@ constexpr auto power_of(Number x, Number y) noexcept {
 template <class Number>
 constexpr auto cube_root(Number x) noexcept {
   if constexpr (needs_intervals<Number>) {
-    return interval_cube_root(real_operand_of(x), Number::fraction_bits);
+    return interval_cube_root<rounding_of<Number>>(real_operand_of(x), Number::fraction_bits);
   } else {
     const std::int64_t raw{x.raw()};
     const std::int64_t root =
@@ -126,17 +130,24 @@ constexpr auto cube_root(Number x) noexcept {
 template <class Number>
 constexpr auto reciprocal_root(Number x) noexcept {
   if constexpr (needs_intervals<Number>) {
-    return interval_reciprocal_root<ties_of<Number>>(real_operand_of(x), Number::fraction_bits);
+    return interval_reciprocal_root<rounding_of<Number>>(real_operand_of(x), Number::fraction_bits);
   } else {
-    return nearest_reciprocal_root<ties_of<Number>>(static_cast<std::uint64_t>(x.raw()),
-                                                    Number::fraction_bits);
+    return nearest_reciprocal_root<rounding_of<Number>>(static_cast<std::uint64_t>(x.raw()),
+                                                        Number::fraction_bits);
   }
 }
 
 /// The ulps of 1 / x for an x that is not 0.
 template <class Number>
 constexpr auto reciprocal_of(Number x) noexcept {
-  return nearest_reciprocal<ties_of<Number>, Number::fraction_bits>(x.raw());
+  constexpr int Point = Number::fraction_bits;
+  constexpr rounding rule = rounding_of<Number>;
+  if constexpr (is_to_nearest<rule>) {
+    return nearest_reciprocal<rule, Point>(x.raw());
+  } else {
+    using wide = signed_t<larger(2 * Point + 2, signed_bits<typename Number::raw_type> + 1)>;
+    return rounded_ratio<rule>(wide{1} << (2 * Point), wide{x.raw()});
+  }
 }
 
 }  // namespace detail::FIXED_FUNCTIONS
@@ -146,58 +157,61 @@ inline namespace FIXED_FUNCTIONS {
 /// The cube root.
 ///
 ///     static_assert(cbrt(q16_16(-2)).raw() == -82570 && cbrt(q16_16(27)) == 3);  // -82570.2
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> cbrt(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::cube_root(x), "cbrt", x);
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> cbrt(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  return detail::limited<number<Raw, Point, Rules>>(detail::FIXED_FUNCTIONS::cube_root(x), "cbrt",
+                                                    x);
 }
 
 /// 1 / sqrt(x). For x <= 0 it throws a domain_error under overflow::trap, and is the highest number
 /// under every other policy.
 ///
 ///     static_assert(rsqrt(q16_16(2)).raw() == 46341);  // 46340.95
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> rsqrt(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> rsqrt(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
   if (x.raw() <= 0) {
-    return detail::outside_domain<number<Raw, F, P>>((std::numeric_limits<Raw>::max)(), "rsqrt", x);
+    return detail::outside_domain<number<Raw, Point, Rules>>((std::numeric_limits<Raw>::max)(),
+                                                             "rsqrt", x);
   }
-  return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::reciprocal_root(x), "rsqrt",
-                                            x);
+  return detail::limited<number<Raw, Point, Rules>>(detail::FIXED_FUNCTIONS::reciprocal_root(x),
+                                                    "rsqrt", x);
 }
 
-/// 1 / x, rounded to nearest. (Operator / rounds as the policy says.) For zero it throws a
-/// domain_error under overflow::trap, and is the highest number under every other policy.
+/// 1 / x, rounded as other functions. (Operator / rounds as policy::divide says.) For zero it
+/// throws a domain_error under overflow::trap, and is the highest number under every other policy.
 ///
 ///     static_assert(reciprocal(q16_16(-3)).raw() == -21845);  // -21845.3
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> reciprocal(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> reciprocal(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
   if (x.raw() == 0) {
-    return detail::outside_domain<number<Raw, F, P>>((std::numeric_limits<Raw>::max)(),
-                                                     "reciprocal", x);
+    return detail::outside_domain<number<Raw, Point, Rules>>((std::numeric_limits<Raw>::max)(),
+                                                             "reciprocal", x);
   }
-  return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::reciprocal_of(x), "reciprocal",
-                                            x);
+  return detail::limited<number<Raw, Point, Rules>>(detail::FIXED_FUNCTIONS::reciprocal_of(x),
+                                                    "reciprocal", x);
 }
 
 /// The length of the vector (x, y). There are no ties.
 ///
 ///     static_assert(hypot(q16_16(30000), q16_16(-3)).raw() == 1966080010);  // 1966080009.8
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> hypot(number<Raw, F, P> x, number<Raw, F, P> y) noexcept(
-    number<Raw, F, P>::never_throws) {
-  return detail::FIXED_FUNCTIONS::length<number<Raw, F, P>>(x, y);
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> hypot(
+    number<Raw, Point, Rules> x,
+    number<Raw, Point, Rules> y) noexcept(number<Raw, Point, Rules>::never_throws) {
+  return detail::FIXED_FUNCTIONS::length<number<Raw, Point, Rules>>(x, y);
 }
 
 /// The length of the vector (x, y, z).
 ///
 ///     static_assert(hypot(q16_16(2), q16_16(3), q16_16(6)) == 7);
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> hypot(
-    number<Raw, F, P> x, number<Raw, F, P> y,
-    number<Raw, F, P> z) noexcept(number<Raw, F, P>::never_throws) {
-  return detail::FIXED_FUNCTIONS::length<number<Raw, F, P>>(x, y, z);
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> hypot(
+    number<Raw, Point, Rules> x, number<Raw, Point, Rules> y,
+    number<Raw, Point, Rules> z) noexcept(number<Raw, Point, Rules>::never_throws) {
+  return detail::FIXED_FUNCTIONS::length<number<Raw, Point, Rules>>(x, y, z);
 }
 
 /// The square root as a To: the To nearest to the exact root, for every x. If the policy of To
@@ -207,22 +221,22 @@ template <class Raw, int F, policy P>
 ///
 ///     static_assert(sqrt<q2_30>(q16_16(2)).raw() == 1518500250);  // 1518500249.99
 ///     static_assert(sqrt<q16_16>(q32_0(2)).raw() == 92682);       // 92681.9
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To sqrt(number<Raw, F, P> x) noexcept(To::never_throws) {
+[[nodiscard]] constexpr To sqrt(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   constexpr overflow range = detail::function_range<To::rules.range>;
   if constexpr (range == overflow::trap) {
     if (x.raw() < 0) {
-      detail::raise<domain_error>("domain error", "sqrt", detail::operand<Raw, F>{x.raw()});
+      detail::raise<domain_error>("domain error", "sqrt", detail::operand<Raw, Point>{x.raw()});
     }
   }
-  constexpr int shift = 2 * To::fraction_bits - F;
+  constexpr int shift = 2 * To::fraction_bits - Point;
   constexpr int bits = std::numeric_limits<Raw>::digits;
   using wide = detail::signed_t<detail::larger(detail::signed_bits<typename To::raw_type>,
                                                bits + detail::larger(shift, 1) + 4)>;
   const Raw positive = x.raw() < 0 ? Raw{0} : x.raw();
   return detail::narrowed_to<To, range>(
-      detail::nearest_scaled_sqrt<detail::ties_of<To>, shift, bits>(wide{positive}), "sqrt", x);
+      detail::rounded_scaled_sqrt<detail::rounding_of<To>, shift, bits>(wide{positive}), "sqrt", x);
 }
 
 /// The length of the vector (x, y) as a To: the To nearest to the exact length, for every x and y.
@@ -232,21 +246,21 @@ requires detail::is_plain_number<To>
 ///
 ///     static_assert(hypot<q2_30>(q1_31(-1), q1_31(-1)).raw() == 1518500250);  // 1518500249.99
 ///     static_assert(hypot<q16_16>(q24_8(-3), q2_30(1.25)) == q16_16(3.25));
-template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
+template <class To, class RawA, int FA, policy PA, class RawB, int FB, policy PB>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To hypot(number<A, FA, PA> x,
-                                 number<B, FB, PB> y) noexcept(To::never_throws) {
+[[nodiscard]] constexpr To hypot(number<RawA, FA, PA> x,
+                                 number<RawB, FB, PB> y) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::length_to<To>(x, y);
 }
 
 /// The length of the vector (x, y, z) as a To, as that of two numbers.
 ///
 ///     static_assert(hypot<q2_14>(q1_15(-0.5), q1_15(-0.5), q1_15(-0.5)).raw() == 14189);
-template <class To, class A, int FA, policy PA, class B, int FB, policy PB, class C, int FC,
-          policy PC>
+template <class To, class RawA, int FA, policy PA, class RawB, int FB, policy PB, class RawC,
+          int FC, policy PC>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To hypot(number<A, FA, PA> x, number<B, FB, PB> y,
-                                 number<C, FC, PC> z) noexcept(To::never_throws) {
+[[nodiscard]] constexpr To hypot(number<RawA, FA, PA> x, number<RawB, FB, PB> y,
+                                 number<RawC, FC, PC> z) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::length_to<To>(x, y, z);
 }
 
@@ -256,10 +270,11 @@ requires detail::is_plain_number<To>
 ///
 ///     static_assert(pow(q16_16(3), q16_16(1.5)).raw() == 340535);  // 340535.05
 ///     static_assert(pow(q16_16(-2), q16_16(-3)) == q16_16(-0.125));
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> pow(number<Raw, F, P> x, number<Raw, F, P> y) noexcept(
-    number<Raw, F, P>::never_throws) {
-  using result = number<Raw, F, P>;
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> pow(
+    number<Raw, Point, Rules> x,
+    number<Raw, Point, Rules> y) noexcept(number<Raw, Point, Rules>::never_throws) {
+  using result = number<Raw, Point, Rules>;
   if (y.raw() != 0 && x.raw() == 0) {
     if (y.raw() > 0) return x;
     return detail::outside_domain<result>((std::numeric_limits<Raw>::max)(), "pow", x, y);

@@ -2,6 +2,8 @@
 /// What distinguishes functions that share their code.
 #pragma once
 
+#include "fixed/detail/standard.hpp"
+
 namespace fixproof::detail {
 
 enum class exponential_base { two, e, ten };

@@ -15,6 +15,7 @@
 #include "fixed/detail/interval_constants.hpp"
 #include "fixed/detail/square_root.hpp"
 #include "fixed/detail/wide_integer.hpp"
+#include "fixed/policy.hpp"
 
 namespace fixproof::detail {
 
@@ -207,6 +208,21 @@ class interval {
     const int128 high = halves_above(dropped, false);
     const int128 ulps = (high + int128{1}) >> 1;
     return {(low + int128{1}) >> 1 == ulps, signed_ulps(ulps)};
+  }
+
+  /// The integer of units of 2^-fraction_bits below or above, by a rule that is not to nearest, if
+  /// every number of the interval has the same one and none is an integer; from 2^65 on, 2^66.
+  template <rounding Rounding>
+  [[nodiscard]] constexpr interval_ulps directed_ulps(int fraction_bits) const noexcept {
+    const int whole = exponent_ + fraction_bits;
+    if (whole >= 66) return nearest_ulps(fraction_bits);
+    const int dropped = 32 * static_cast<int>(size_) - whole;
+    // No end of the wider interval is an end of this one, which so has no integer at its ends.
+    const interval wider = widened();
+    const int128 low = wider.halves_above(dropped, true);
+    const int128 high = wider.halves_above(dropped, false);
+    const bool grows = Rounding == (is_negative_ ? rounding::floor : rounding::ceiling);
+    return {is_normal() && low == high, signed_ulps(grows ? low + int128{1} : low)};
   }
 
  private:

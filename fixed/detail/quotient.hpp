@@ -2,6 +2,7 @@
 /// The rounded quotient of two stored integers, exact, from integers or hardware doubles.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -18,7 +19,7 @@ FIXED_ALWAYS_INLINE constexpr std::int64_t one_if_negative(std::int32_t x) noexc
   return static_cast<std::int64_t>(static_cast<std::uint32_t>(x) >> 31);
 }
 
-/// numerator * 2^Shift / divisor rounded by rule R, in integers. R is not half_even.
+/// numerator * 2^Shift / divisor rounded by rule Rounding, in integers. Rounding is not half_even.
 ///
 /// One division without a branch, and as little as possible before and after it, because a chain of
 /// divisions waits for all of it. Let Q be the exact quotient and t the truncated quotient of its
@@ -32,20 +33,91 @@ FIXED_ALWAYS_INLINE constexpr std::int64_t one_if_negative(std::int32_t x) noexc
 /// half_away is floor((t + 1) / 2) for Q >= 0. For Q < 0 it is ceil((t - 1) / 2) = floor(t / 2).
 ///
 /// @pre divisor is not zero, Shift <= 30
-template <rounding R, int Shift>
+template <rounding Rounding, int Shift>
 FIXED_ALWAYS_INLINE constexpr std::int64_t quotient_by_integers(std::int32_t numerator,
                                                                 std::int32_t divisor) noexcept {
   const std::int64_t below = one_if_negative(numerator);
   const std::int64_t divisor_below = one_if_negative(divisor);
-  if constexpr (R == rounding::half_up || R == rounding::half_away) {
+  if constexpr (Rounding == rounding::half_up || Rounding == rounding::half_away) {
     std::int64_t twice = std::int64_t{numerator} * (std::int64_t{2} << Shift);
-    if constexpr (R == rounding::half_up) twice = twice + below - divisor_below;
+    if constexpr (Rounding == rounding::half_up) twice = twice + below - divisor_below;
     return (twice / divisor + one_if_negative(~(numerator ^ divisor))) >> 1;
   } else {
     const std::int64_t scaled = std::int64_t{numerator} * (std::int64_t{1} << Shift);
-    // A negative quotient that is not an integer has a floor below its truncation.
-    const bool between = R == rounding::floor && scaled % divisor != 0 && below != divisor_below;
-    return scaled / divisor - std::int64_t{between};
+    const bool negative = below != divisor_below;
+    const std::int64_t truncated = scaled / divisor;
+    // A negative quotient that is not an integer has a floor below its truncation, and a positive
+    // one a ceiling above it.
+    if constexpr (Rounding == rounding::floor) {
+      return truncated - std::int64_t{scaled % divisor != 0 && negative};
+    } else if constexpr (Rounding == rounding::ceiling) {
+      return truncated + std::int64_t{scaled % divisor != 0 && !negative};
+    } else {
+      return truncated;
+    }
+  }
+}
+
+/// floor(rest 2^Bits / d), for Bits <= 16. Leaves the remainder in rest.
+///
+/// Let D be the upper half of d, and A the upper 16 + Bits bits of rest. floor(A / D) is at most 2
+/// above the digit, because the top bit of d is set, and never below it (theorems A and B of
+/// section 4.3.1 of Knuth, The Art of Computer Programming). It is at most 2^16 + 1, so its product
+/// with the lower half of d has 32 bits.
+/// @pre rest < d, and d has its top bit set
+template <int Bits>
+constexpr std::uint32_t next_digit(std::uint32_t& rest, std::uint32_t d) noexcept {
+  static_assert(0 < Bits && Bits <= 16);
+  constexpr std::uint32_t lower_half = 0xffff;
+  const std::uint32_t leading = rest >> (16 - Bits);
+  const std::uint32_t upper = d >> 16;
+  std::uint32_t digit = leading / upper;
+  const std::uint32_t above = leading % upper << 16 | (rest << Bits & lower_half);
+  const std::uint32_t taken = digit * (d & lower_half);
+  rest = above - taken;
+  if (above < taken) {
+    // Below zero, modulo 2^32, until a sum wraps, which leaves less than d.
+    do {
+      --digit;
+      rest += d;
+    } while (rest >= d);
+  }
+  return digit;
+}
+
+/// quotient_by_integers() in words of 32 bits, for processors that divide no longer ones. It
+/// divides the magnitudes: first the whole part, then Shift bits after the point, from the upper
+/// ones on.
+/// @pre divisor is not zero, Shift <= 30
+template <rounding Rounding, int Shift>
+constexpr std::int64_t quotient_by_words(std::int32_t numerator, std::int32_t divisor) noexcept {
+  const bool negative = (numerator ^ divisor) < 0;
+  const std::uint32_t n = negated_if(numerator < 0, static_cast<std::uint32_t>(numerator));
+  std::uint32_t d = negated_if(divisor < 0, static_cast<std::uint32_t>(divisor));
+  std::uint64_t quotient = n / d;
+  // The remainder and the divisor times the same power of two.
+  const int zeros = std::countl_zero(d);
+  std::uint32_t rest = n % d << zeros;
+  d <<= zeros;
+  constexpr int last = Shift < 16 ? Shift : 16;
+  if constexpr (Shift > last) {
+    constexpr int first = Shift - last;
+    quotient = quotient << first | next_digit<first>(rest, d);
+  }
+  if constexpr (last > 0) quotient = quotient << last | next_digit<last>(rest, d);
+  quotient += std::uint64_t{grows<Rounding>(rest, d, negative, is_odd(quotient))};
+  return static_cast<std::int64_t>(negated_if(negative, quotient));
+}
+
+/// numerator * 2^Shift / divisor rounded by rule Rounding, in the integers that the processor
+/// divides.
+template <rounding Rounding, int Shift>
+FIXED_ALWAYS_INLINE constexpr std::int64_t integer_quotient(std::int32_t numerator,
+                                                            std::int32_t divisor) noexcept {
+  if constexpr (divides_in_words) {
+    return quotient_by_words<Rounding, Shift>(numerator, divisor);
+  } else {
+    return quotient_by_integers<Rounding, Shift>(numerator, divisor);
   }
 }
 
@@ -54,8 +126,8 @@ inline std::int32_t upper_bits(double x) noexcept {
   return static_cast<std::int32_t>(bit_cast<std::uint64_t>(x) >> 32);
 }
 
-/// The quotient by one double division, plus a half if R rounds to nearest. Its floor, or its trunc
-/// for half_away and truncate, is the rounded quotient.
+/// The quotient by one double division, plus a half if Rounding rounds to nearest. Its floor, or
+/// its trunc for half_away and truncate, is the rounded quotient.
 ///
 /// Bit-identical to integer division for every operand and every rounding mode of the processor:
 ///
@@ -69,13 +141,13 @@ inline std::int32_t upper_bits(double x) noexcept {
 /// integer as the exact one, and at least 1 / (4 |D|) >= 2^-33 away from it.
 ///
 /// So floor and trunc of the computed sum are those of the exact sum.
-template <rounding R, int Shift>
+template <rounding Rounding, int Shift>
 inline double quotient_sum(std::int32_t numerator, std::int32_t divisor) noexcept {
   constexpr double scale = std::int64_t{1} << Shift;
   const double q = static_cast<double>(numerator) * scale / static_cast<double>(divisor);
-  if constexpr (R == rounding::half_up) {
+  if constexpr (Rounding == rounding::half_up) {
     return q + 0.5;
-  } else if constexpr (R == rounding::half_away) {
+  } else if constexpr (Rounding == rounding::half_away) {
     return q + copysign(0.5, q);
   } else {
     return q;
@@ -98,36 +170,37 @@ inline std::int64_t floor_of_sum(double sum) noexcept {
          static_cast<std::int64_t>(step);
 }
 
-/// Whether rule R is a floor after adding the half; otherwise it is a trunc.
-template <rounding R>
-inline constexpr bool rounds_by_floor = R == rounding::half_up || R == rounding::floor;
+/// Whether rule Rounding is a floor after adding the half; otherwise it is a trunc.
+template <rounding Rounding>
+inline constexpr bool rounds_by_floor =
+    Rounding == rounding::half_up || Rounding == rounding::floor;
 
-/// numerator * 2^Shift / divisor rounded by rule R. @pre divisor is not zero, Shift <= 16
-template <rounding R, int Shift>
+/// numerator * 2^Shift / divisor rounded by rule Rounding. @pre divisor is not zero, Shift <= 16
+template <rounding Rounding, int Shift>
 constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
   // if constexpr: without hardware doubles even dead code must not contain a double.
   if constexpr (hardware_double) {
     if (!std::is_constant_evaluated()) {
       // At most 2^47 and a half.
-      const double sum = quotient_sum<R, Shift>(numerator, divisor);
-      return rounds_by_floor<R> ? floor_of_sum(sum) : static_cast<std::int64_t>(sum);
+      const double sum = quotient_sum<Rounding, Shift>(numerator, divisor);
+      return rounds_by_floor<Rounding> ? floor_of_sum(sum) : static_cast<std::int64_t>(sum);
     }
   }
-  return quotient_by_integers<R, Shift>(numerator, divisor);
+  return integer_quotient<Rounding, Shift>(numerator, divisor);
 }
 
 /// rounded_quotient(), saturated to the range of Raw.
-template <class Raw, rounding R, int Shift>
+template <class Raw, rounding Rounding, int Shift>
 constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
   constexpr std::int32_t highest = (std::numeric_limits<Raw>::max)();
   constexpr std::int32_t lowest = (std::numeric_limits<Raw>::min)();
-  if constexpr (hardware_double && rounds_by_floor<R>) {
+  if constexpr (hardware_double && rounds_by_floor<Rounding>) {
     if (!std::is_constant_evaluated()) {
       // Out of range if the sum is below `lowest` (or is a negative zero above it: the same end) or
       // has reached `highest` + 1. At such a quotient the divisor is at most 2^16, so a sum that
       // has not reached it stays 2^-18 below.
       constexpr double below_end = static_cast<double>(highest) + (1 - 0x1p-19);
-      const double sum = quotient_sum<R, Shift>(numerator, divisor);
+      const double sum = quotient_sum<Rounding, Shift>(numerator, divisor);
       // Modulo 2^32; below, `end` replaces what is out of range.
       const auto low = static_cast<std::int32_t>(floor_of_sum(sum));
       const std::int32_t end = ((numerator ^ divisor) >> 31) ^ highest;
@@ -135,7 +208,7 @@ constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t d
       return (low & ~out) | (end & out);
     }
   }
-  const std::int64_t quotient = rounded_quotient<R, Shift>(numerator, divisor);
+  const std::int64_t quotient = rounded_quotient<Rounding, Shift>(numerator, divisor);
   return static_cast<std::int32_t>(quotient < lowest    ? lowest
                                    : quotient > highest ? highest
                                                         : quotient);

@@ -31,10 +31,11 @@ std::optional<check::JudgedCase> smallest_from(const Subject& subject, const che
     return one;
   };
   if (is_right(rules, judged(words))) return std::nullopt;
-  if (subject.variant.format.word_bits <= 32) {
-    words = verify::shrink(
-        std::move(words), subject.variant.format.word_bits,
-        [&](std::span<const std::uint32_t> tried) { return !is_right(rules, judged(tried)); });
+  const int bits = cases::operand_bits(subject.variant);
+  if (bits <= 32) {
+    words = verify::shrink(std::move(words), bits, [&](std::span<const std::uint32_t> tried) {
+      return !is_right(rules, judged(tried));
+    });
   }
   check::JudgedCase smallest = judged(words);
   return is_right(rules, smallest) ? std::nullopt : std::optional(std::move(smallest));

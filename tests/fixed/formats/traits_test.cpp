@@ -17,7 +17,7 @@ using namespace fixproof;
 static_assert(is_number_v<q16_16> && is_number_v<u0_64> && is_number_v<q8_8_trapping>);
 static_assert(is_number_v<const q4_4> && is_number_v<volatile q4_4>);
 static_assert(!is_number_v<q16_16&> && !is_number_v<int> && !is_number_v<double>);
-static_assert(!is_number_v<std::array<q16_16, 2>> && !is_number_v<cos_sin<q16_16>>);
+static_assert(!is_number_v<std::array<q16_16, 2>> && !is_number_v<sin_and_cos<q16_16>>);
 static_assert(any_number<u8_8> && !any_number<unsigned> && !any_number<void>);
 
 template <class... T>

@@ -53,8 +53,8 @@ TEST(RunCommand, SaysHowAProgramFails) {
   EXPECT_EQ(dies.status, 1);
   expect_contains(dies.out,
                   "), even alone, the program ends by signal 8 "
-                  "(Floating point exception) without a result; it says 'oops'; write one line for "
-                  "every case, DE where there is no result\n");
+                  "(Floating point exception) without a result; it says 'oops'; read cases from "
+                  "standard input, and write one line for each, DE where there is no result\n");
   const auto few = run_of(plain("mul") + " | head -n 7", "--as mul --cases 2000");
   expect_contains(few.out,
                   " the program ends with status 0 without a result, after 7 results; read cases "
@@ -67,6 +67,14 @@ TEST(RunCommand, SaysHowAProgramFails) {
   const auto hangs = run_of("exec sleep 60", "--as mul --cases 2000 --timeout 1");
   expect_contains(hangs.out, " the program neither reads nor writes any more, after 0 results; ");
   expect_usage_error(run_of("./no_such_program", "--as mul"), "the shell cannot run it: ");
+}
+
+TEST(RunCommand, AProgramThatKeepsSomething) {
+  const auto run = run_of("awk '{ printf \"%08x\\n\", n++ % 251 }'", "--as mul --cases 50000");
+  EXPECT_EQ(run.status, 1) << run.err;
+  expect_contains(run.out,
+                  " the result differs from run to run: the program keeps something from case to "
+                  "case, or reads registers or memory that nothing sets\n");
 }
 
 TEST(RunCommand, RefusesOptionsWithoutEffect) {
