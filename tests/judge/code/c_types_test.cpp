@@ -94,6 +94,14 @@ TEST(CTypes, OnX86) {
          {"NOT PROVEN, only judged by cases: only mul, div"});
 }
 
+TEST(CTypes, AResultThatIsNotWrittenForOneCaseIsUnsteady) {
+  const std::string all_but_zeros =
+      "bits 64\nmov eax, edi\nor eax, esi\njz .out\nlea eax, [rdi+rsi]\nmov [rdx], eax\n.out: "
+      "ret\n";
+  expect(judge_code(all_but_zeros, "--as|add|--cases|20000|--frame|int, int, int* -> int"), 1,
+         {"UNSTEADY: for 00000000 00000000 (0 0)", "WRONG in"});
+}
+
 TEST(CTypes, WidthsAndSigns) {
   const auto bits = [](const std::string& text, int code_bits) {
     const std::string frame = "long long, long long -> " + text;

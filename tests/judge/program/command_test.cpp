@@ -86,7 +86,7 @@ TEST(RunCommand, RefusesOptionsWithoutEffect) {
     expect_refused(fmt::format("judge --run cat --as mul {}", text),
                    text.substr(0, text.find(' ')));
   }
-  expect_refused("judge mine.o --as mul --to q8_8", "--to requires --run");
+  expect_refused("judge mine.o --as mul --processes 2", "--processes requires --run");
   expect_refused("judge mine.o --as mul --timeout 3", "--timeout requires --prove or --run");
   expect_refused("judge --run cat", "name with --as what the program computes");
   expect_refused("judge --run cat --as ?", "name with --as what the program computes");
