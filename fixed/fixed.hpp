@@ -1,7 +1,7 @@
 /// @file
-/// The number type with all its operations and functions. Numbers as bytes, Eigen, batches and the
-/// recorder have headers of their own: fixed/bytes.hpp, fixed/eigen.hpp, fixed/batch/batch.hpp and
-/// fixed/record/recorded.hpp.
+/// The number type with all its operations and functions. Numbers as bytes, durations,
+/// Eigen, batches and the recorder have headers of their own: fixed/bytes.hpp, fixed/chrono.hpp,
+/// fixed/eigen.hpp, fixed/batch/batch.hpp and fixed/record/recorded.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
 ///
