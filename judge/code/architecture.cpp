@@ -213,6 +213,13 @@ constexpr std::array architectures{
                  .runs = {RegisterRun{"r0 r1 r2 r3 r4 r5 r6 r7 r8 r9 r10 r11 r12 r13 r14 r15",
                                       UC_S390X_REG_R0}},
                  .program_counter = UC_S390X_REG_PC,
+                 // Addresses of 64 bits. Unicorn begins with 24, and LA and LAY, with which
+                 // compilers add, cut their sums to those.
+                 .settings = {Setting{UC_S390X_REG_PSWM, 0x1'8000'0000}},
+                 // LCTLG 0,0,0(1), and the bit that allows floating point.
+                 .first_code = {.code = std::string_view("\xEB\0\x10\0\0\x2F", 6),
+                                .base = "r1",
+                                .value = 0x4'0000},
                  .stack_pointer = "r15",
                  .link = "r14",
                  .arguments = "r2 r3 r4 r5 r6",

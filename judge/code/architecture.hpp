@@ -37,6 +37,13 @@ struct Setting {
   std::uint64_t bits = 0;
 };
 
+/// Code that runs once before all calls, for a control register that Unicorn has no number for.
+struct FirstCode {
+  std::string_view code{};  ///< its bytes
+  std::string_view base{};  ///< a register that points to the value
+  std::uint64_t value = 0;
+};
+
 /// A kind of processor and its C calling convention. Names of registers are separated by spaces.
 struct Architecture {
   std::string_view name;  ///< as messages have it
@@ -51,6 +58,7 @@ struct Architecture {
   std::array<RegisterRun, 4> runs;
   int program_counter;
   std::array<Setting, 2> settings{};
+  FirstCode first_code{};
   /// Exceptions by their numbers in Unicorn; -1 if there are none.
   std::array<int, 2> divide_errors{-1, -1};
   std::array<int, 2> system_calls{-1, -1};

@@ -257,7 +257,7 @@ class Emulator final : public Machine {
       const std::uint64_t at = address - e.image_.base;
       const bool is_known = size <= 4 && at <= e.memory_.size() - 4;
       if (access.is_write == 0 && is_known) {
-        access.value = fetch(e.memory() + at, size);
+        access.value = static_cast<std::uint32_t>(fetch(e.memory() + at, size));
       }
       e.trace_->accesses.push_back(access);
     };

@@ -46,7 +46,7 @@ class CallerElsewhere final : public Caller {
         a_(*subject.image.architecture),
         convention_(subject.frame.elsewhere.value()),
         variant_(subject.variant),
-        operands_(subject.image, subject.variant),
+        operands_(subject.image, subject.frame.signature, subject.variant),
         trace_(trace),
         memory_(subject.image),
         engine_(static_cast<uc_arch>(a_.emulator), static_cast<uc_mode>(a_.mode)),
@@ -58,6 +58,7 @@ class CallerElsewhere final : public Caller {
           "memory");
     for (const Region& region : image_.regions) map(region);
     for (const Setting& setting : a_.settings) set(setting);
+    if (!a_.first_code.code.empty()) run_first(a_.first_code);
     engine_.keep_state();
     add_hooks();
   }
@@ -95,6 +96,18 @@ class CallerElsewhere final : public Caller {
     check(uc_reg_read(engine_.get(), setting.number, &value), "registers");
     value |= setting.bits;
     check(uc_reg_write(engine_.get(), setting.number, &value), "registers");
+  }
+
+  /// Runs code below the stack, where no call leaves anything that another expects.
+  void run_first(const FirstCode& first) {
+    const std::uint32_t value = image_.stack_top - 16;
+    const std::uint32_t code = value - 16;
+    store(at(value), first.value, 8, a_.is_big_endian);
+    std::ranges::copy(first.code, at(code));
+    std::uint64_t base = value;
+    check(uc_reg_write(engine_.get(), file_.numbers[file_.find(first.base).value()], &base),
+          "registers");
+    check(uc_emu_start(engine_.get(), code, code + first.code.size(), 0, 0), "first code");
   }
 
   [[nodiscard]] std::uint8_t* at(std::uint32_t address) const {
@@ -169,10 +182,7 @@ class CallerElsewhere final : public Caller {
       value |= left.general.at(part.at) << shift;
       shift += 32;  // a result of two parts has those of 32 bits
     }
-    const int bits = variant_.format.word_bits;
-    if (bits < 64) value &= (std::uint64_t{1} << bits) - 1;
-    words[0] = static_cast<std::uint32_t>(value);
-    if (bits > 32) words[1] = static_cast<std::uint32_t>(value >> 32U);
+    operands_.give(value, words);
   }
 
   [[nodiscard]] RegisterMask broken(const Registers& left) const {
