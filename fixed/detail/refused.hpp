@@ -14,6 +14,12 @@ namespace fixproof {
 
 namespace detail {
 
+/// Whether the type is a number of any format and policy.
+template <class Type>
+inline constexpr bool is_plain_number = false;
+template <class Raw, int Point, policy Rules>
+inline constexpr bool is_plain_number<number<Raw, Point, Rules>> = true;
+
 /// Arithmetic types that do not mix with numbers: floating point, bool and the character types.
 template <class Type>
 concept foreign = std::is_arithmetic_v<Type> && !integer<Type>;
