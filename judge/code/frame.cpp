@@ -81,7 +81,7 @@ std::vector<RegisterName> kept_by_convention(int bits) {
           {Register::bx, Size::dword}};
 }
 
-PlaceText place_text(std::string_view text) {
+PlaceText place_text(std::string_view text, std::size_t most_parts, std::size_t of_pointer) {
   PlaceText place;
   std::string_view inner = text;
   if (text.starts_with('[') && text.ends_with(']')) {
@@ -89,8 +89,7 @@ PlaceText place_text(std::string_view text) {
     inner = trimmed(text.substr(1, text.size() - 2));
   }
   place.parts = split(inner, ':');
-  if (place.parts.empty() || place.parts.size() > 2 ||
-      (place.is_pointer && place.parts.size() > 1)) {
+  if (place.parts.empty() || place.parts.size() > (place.is_pointer ? of_pointer : most_parts)) {
     throw UsageError(fmt::format(
         "--frame: {} is not a place; write a register, a pair like dx:ax or a pointer like [si]",
         support::quoted(inner)));
@@ -100,7 +99,8 @@ PlaceText place_text(std::string_view text) {
 
 }  // namespace
 
-std::optional<FrameText> frame_text(std::string_view text) {
+std::optional<FrameText> frame_text(std::string_view text, std::size_t most_parts,
+                                    std::size_t of_pointer) {
   const std::size_t arrow = text.find("->");
   if (arrow == std::string_view::npos) return std::nullopt;
   FrameText parts;
@@ -110,8 +110,13 @@ std::optional<FrameText> frame_text(std::string_view text) {
     parts.kept = split(results.substr(keeps + word.size()), ',');
     results = results.substr(0, keeps);
   }
-  for (const auto part : split(text.substr(0, arrow), ',')) parts.in.push_back(place_text(part));
-  for (const auto part : split(results, ',')) parts.out.push_back(place_text(part));
+  const auto add = [&](std::string_view places, std::vector<PlaceText>& to) {
+    for (const auto part : split(places, ',')) {
+      to.push_back(place_text(part, most_parts, of_pointer));
+    }
+  };
+  add(text.substr(0, arrow), parts.in);
+  add(results, parts.out);
   return parts;
 }
 
@@ -237,15 +242,18 @@ Frame frame_for(const Image& image, std::string_view text, const cases::Variant&
   const auto parameters = parameters_of(variant);
   const int result_bits = bits_of_returned(variant);
   Frame frame{.text = std::string(text), .on_stack = false};
-  if (const auto parts = frame_text(text)) {
-    frame.elsewhere = convention_of_registers(*image.architecture, *parts, parameters, result_bits);
+  const Architecture& architecture = *image.architecture;
+  const auto words = [&](int bits) { return static_cast<std::size_t>(bits / image.bits); };
+  if (const auto parts = frame_text(text, std::max<std::size_t>(2, words(64)),
+                                    words(architecture.pointer_bits))) {
+    frame.elsewhere = convention_of_registers(architecture, *parts, parameters, result_bits);
   } else if (text == "c") {
-    frame.elsewhere = convention_of_c(*image.architecture, parameters, result_bits);
+    frame.elsewhere = convention_of_c(architecture, parameters, result_bits);
   } else {
     throw UsageError(
         fmt::format("--frame {}: choose c for {}, or name registers, the operands first, then -> "
                     "and the result",
-                    support::quoted(text), image.architecture->name));
+                    support::quoted(text), architecture.name));
   }
   return frame;
 }
