@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <new>
 
 #include "judge/code/avr_access.hpp"
 #include "judge/code/machine.hpp"
@@ -30,14 +31,12 @@ void note_complaint(avr_t* /*avr*/, int level, const char* /*format*/, va_list /
 class Simavr final : public Machine {
  public:
   Simavr(const Image& image, Trace* trace)
-      : image_(image), a_(*image.architecture), trace_(trace), memory_(image.memory) {
-    memory_.resize(memory_.size() + 4);  // an instruction at the end reads beyond itself
+      : image_(image), a_(*image.architecture), trace_(trace), memory_(memory_of(image)) {
     avr_global_logger_set(note_complaint);
     avr_->mmcu = "judge";
     // simavr would access the memory outside its array if there were addresses without memory.
     avr_->ramend = DataSpace::bytes - 1;
     avr_->ioend = avr::first_memory - 1;
-    avr_->flashend = a_.data.first - 1;
     avr_->vector_size = 4;
     avr_->rampz = avr::rampz;
     if (a_.pushed.bytes == 3) avr_->eind = avr::eind;
@@ -45,8 +44,9 @@ class Simavr final : public Machine {
     for (std::uint8_t* const own : {avr_->flash, avr_->data}) {
       std::free(own);  // NOLINT(*-no-malloc,*-owning-memory): simavr's malloc()
     }
-    avr_->flash = memory_.data();
-    avr_->data = memory_.data() + a_.data.first;
+    avr_->flash = memory_.get();
+    avr_->flashend = a_.data.first - 1;
+    avr_->data = memory_.get() + a_.data.first;
     std::fill_n(avr_->data, avr::first_memory, std::uint8_t{0});
   }
 
@@ -174,6 +174,25 @@ class Simavr final : public Machine {
                                 .is_write = access.is_write ? 1U : 0U});
   }
 
+  struct Free {
+    // NOLINTNEXTLINE(*-no-malloc,*-owning-memory): the memory is calloc()'s
+    void operator()(std::uint8_t* memory) const { std::free(memory); }
+  };
+  using Memory = std::unique_ptr<std::uint8_t, Free>;
+
+  /// Copies the code and the data space. What is between them costs nothing, and no call reads it.
+  static Memory memory_of(const Image& image) {
+    constexpr std::size_t beyond = 4;  // an instruction at the end reads beyond itself
+    // NOLINTNEXTLINE(*-no-malloc): pages of calloc() are there once they are used
+    Memory memory(static_cast<std::uint8_t*>(std::calloc(image.memory.size() + beyond, 1)));
+    if (!memory) throw std::bad_alloc();
+    const std::uint32_t data = image.architecture->data.first;
+    std::copy(image.memory.begin() + image.first, image.memory.begin() + image.end,
+              memory.get() + image.first);
+    std::copy(image.memory.begin() + data, image.memory.end(), memory.get() + data);
+    return memory;
+  }
+
   struct Terminate {
     void operator()(avr_t* avr) const {
       avr->flash = avr->data = nullptr;
@@ -185,7 +204,7 @@ class Simavr final : public Machine {
   const Image& image_;
   const Architecture& a_;
   Trace* trace_;
-  std::vector<std::uint8_t> memory_;
+  Memory memory_;
   std::unique_ptr<avr_t, Terminate> avr_{new avr_t{}};
 };
 
