@@ -165,7 +165,7 @@ void JudgeOptions::add_to(CLI::App& command) {
       R"(The routine runs on every case of `fixproof gen`, in a process of its own that can open no file and
 start no program. It runs on this processor, or on Unicorn if the processor cannot run it. An ELF
 file may have code for i386, x86-64, ARM and Thumb, AArch64, RISC-V of 32 and 64 bits, MIPS of 32
-bits, the 68000, PowerPC or s390x. C and C++ are compiled with -O2, or as $CFLAGS or $CXXFLAGS say.
+bits, the 68000, PowerPC, s390x or, if the build has simavr, AVR. C and C++ are compiled with -O2, or as $CFLAGS or $CXXFLAGS say.
 
 --frame says where the operands and the result are. Name the registers in the order of the
 operands, a pair with its upper half first, a pointer in brackets. In the stack conventions, the

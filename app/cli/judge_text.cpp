@@ -18,12 +18,12 @@ namespace fixproof::cli {
 namespace {
 
 std::string machine_text(const judge::Verdict& verdict, const judge::Image& image) {
-  std::string text = fmt::format(
-      "{} case{} {} in {}", support::grouped(verdict.cases), verdict.cases == 1 ? "" : "s",
-      verdict.machine == judge::On::processor
-          ? "on this processor"
-          : fmt::format("on {}", judge::emulator_of(image.architecture)),
-      support::duration(verdict.seconds));
+  std::string text = fmt::format("{} case{} {} in {}", support::grouped(verdict.cases),
+                                 verdict.cases == 1 ? "" : "s",
+                                 verdict.machine == judge::On::processor
+                                     ? "on this processor"
+                                     : fmt::format("on {}", judge::emulator_of(image.architecture)),
+                                 support::duration(verdict.seconds));
   if (verdict.on_both > 0) {
     text += fmt::format(", {} of them also on Unicorn", support::grouped(verdict.on_both));
   }

@@ -29,11 +29,10 @@ constexpr std::uint64_t riscv_floating_point = 0x6000;
 constexpr std::uint64_t mips_floating_point = 0x2000'0000;
 /// Compilers trap a divisor of 0: the instruction itself has no exception.
 constexpr int mips_trap = 22;
-constexpr std::array riscv_scratch{
-    Scratch{UC_RISCV_REG_F0, 8}, Scratch{UC_RISCV_REG_F10, 8}, Scratch{UC_RISCV_REG_F28, 4},
-    Scratch{}};
-/// D and DR; DLR, DLGR, DSGR and DSGFR; DL, DLG, DSG and DSGF. Each divides a pair of registers that
-/// begins in an even one. All program interruptions have one number in Unicorn.
+constexpr std::array riscv_scratch{Scratch{UC_RISCV_REG_F0, 8}, Scratch{UC_RISCV_REG_F10, 8},
+                                   Scratch{UC_RISCV_REG_F28, 4}, Scratch{}};
+/// D and DR; DLR, DLGR, DSGR and DSGFR; DL, DLG, DSG and DSGF. Each divides a pair of registers
+/// that begins in an even one. All program interruptions have one number in Unicorn.
 constexpr std::array<Pattern, 8> s390x_divides{Pattern{0x10BF, 0x1D},
                                                {0x1000'EFFF, 0x87B9},
                                                {0x1000'EFFF, 0x0DB9},
@@ -348,8 +347,7 @@ const Architecture* architecture_of_elf(std::string_view bytes) {
   const unsigned machine = header_number(bytes, place_of_machine, 2);
   const auto* const found = std::ranges::find_if(architectures, [&](const Architecture& a) {
     return a.machine == machine && a.is_64 == is_64 && a.is_big_endian == is_big_endian(bytes) &&
-           (a.kind_bits == 0 ||
-            std::ranges::find(a.kinds, kind_of_elf(a, bytes)) != a.kinds.end());
+           (a.kind_bits == 0 || std::ranges::find(a.kinds, kind_of_elf(a, bytes)) != a.kinds.end());
   });
   return found == architectures.end() ? nullptr : &*found;
 }

@@ -60,9 +60,9 @@ struct PushedReturn {
 
 /// Memory for data with addresses of its own, as the linker numbers it.
 struct DataSpace {
-  std::uint32_t first = 0;     ///< 0 if code and data share their addresses
-  std::uint32_t variables = 0; ///< where a program's variables begin
-  std::uint32_t code_end = 0;  ///< after the code that return addresses reach
+  std::uint32_t first = 0;      ///< 0 if code and data share their addresses
+  std::uint32_t variables = 0;  ///< where a program's variables begin
+  std::uint32_t code_end = 0;   ///< after the code that return addresses reach
 
   static constexpr std::uint32_t bytes = 0x10000;
 };
@@ -98,7 +98,7 @@ struct Architecture {
   bool has_marked_entries = false;  ///< bit 0 of an address says that Thumb code is there
   // The convention.
   std::string_view stack_pointer;
-  std::string_view link{};       ///< receives the return address; empty if it is pushed
+  std::string_view link{};  ///< receives the return address; empty if it is pushed
   PushedReturn pushed{};
   std::string_view callee{};     ///< holds the address of the function that is called
   std::string_view arguments{};  ///< in their order
@@ -106,15 +106,16 @@ struct Architecture {
   std::string_view kept;         ///< preserved by a call, as is the stack pointer
   std::array<BaseRegister, 2> bases{};
   Above above = Above::extension;
-  std::string_view zero{};           ///< is 0 whenever a function begins or ends
-  bool has_even_pairs = false;       ///< a number of two registers begins in one with an even place
+  std::string_view zero{};      ///< is 0 whenever a function begins or ends
+  bool has_even_pairs = false;  ///< a number of two registers begins in one with an even place
   /// Numbers take an even count of registers, the highest byte in the first.
   bool has_falling_numbers = false;
   std::uint32_t first_on_stack = 0;  ///< bytes from the stack pointer to the first argument there
   // The toolchains of Debian whose linker and libgcc fit, and the package of the first.
   std::array<std::string_view, 3> toolchains{};
   std::string_view package;
-  std::string_view linked_as{};  ///< the linker's emulation if its default is another one, without a number of `kinds`
+  std::string_view linked_as{};  ///< the linker's emulation if its default is another one, without
+                                 ///< a number of `kinds`
   /// Relocations of a shared library: an address in the file; a symbol with an addend; a symbol.
   std::array<std::uint32_t, 4> relocations{};
 };

@@ -98,9 +98,9 @@ Reach reach_of(const State& s) {
     return data(pair(s, (word & 8U) != 0 ? y : z) + q, (word & 0x200U) != 0);
   }
   if ((word & 0xFC00U) == 0x9000U) return moved(s);
-  if ((word & 0xFE0EU) == 0x940EU) return call(s);                  // CALL
-  if ((word & 0xF000U) == 0xD000U) return call(s);                  // RCALL
-  if ((word & 0xFC00U) == 0x9800U) {                                // CBI, SBIC, SBI, SBIS
+  if ((word & 0xFE0EU) == 0x940EU) return call(s);  // CALL
+  if ((word & 0xF000U) == 0xD000U) return call(s);  // RCALL
+  if ((word & 0xFC00U) == 0x9800U) {                // CBI, SBIC, SBI, SBIS
     return data(first_port + (word >> 3U & 0x1FU), (word & 0x100U) == 0);
   }
   if ((word & 0xF000U) == 0xB000U) {  // IN and OUT: 1011 sAAd dddd AAAA

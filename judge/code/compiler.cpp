@@ -205,7 +205,8 @@ std::string script_of(const std::map<std::string, std::uint32_t>& missing, const
     script += fmt::format("\"{}\" = 0x{:x};\n", name, address);
   }
   // Compilers reach the data near _gp with 16 bits.
-  return script + fmt::format(R"(SECTIONS {{
+  return script +
+         fmt::format(R"(SECTIONS {{
   . = 0x{:x};
   .text : {{ *(.text .text.*) *(.progmem .progmem.*) }}
 {}  .rodata : {{ *(.rodata .rodata.*) }}
@@ -217,8 +218,8 @@ std::string script_of(const std::map<std::string, std::uint32_t>& missing, const
   .bss : {{ *(.bss .bss.*) *(COMMON) }}
 }}
 )",
-                              elf::load_address,
-                              data.first == 0 ? "" : fmt::format("  . = 0x{:x};\n", data.variables));
+                     elf::load_address,
+                     data.first == 0 ? "" : fmt::format("  . = 0x{:x};\n", data.variables));
 }
 
 /// Addresses that no memory has, and that every call reaches, even one of a Cortex-M0.
@@ -311,10 +312,9 @@ std::string linked_object(Image& image, const std::string& object) {
     if (name.empty() || !exists(tools.linker)) continue;
     std::string whole = object;
     if (needs_library(names_in(object, image, Names::missing))) {
-      whole =
-          with_library(tools, object, libraries_of(tools.compiler, preferred_libraries(object, image)),
-                       image)
-              .value_or(object);
+      whole = with_library(tools, object,
+                           libraries_of(tools.compiler, preferred_libraries(object, image)), image)
+                  .value_or(object);
     }
     const auto missing = places_of_missing(image, names_in(whole, image, Names::missing));
     const ToolFile script(script_of(missing, architecture.data));

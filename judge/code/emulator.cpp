@@ -55,10 +55,10 @@ class Emulator final : public UnicornMachine {
     registers.x87 = {read_word(UC_X86_REG_FPCW), read_word(UC_X86_REG_FPTAG)};
     registers.has_own_segments =
         image().bits > 16 || (read_word(UC_X86_REG_DS) == image().data_segment &&
-                             read_word(UC_X86_REG_SS) == image().data_segment);
+                              read_word(UC_X86_REG_SS) == image().data_segment);
     const auto at = static_cast<std::uint32_t>(read(image().bits == 16   ? UC_X86_REG_IP
                                                     : image().bits == 32 ? UC_X86_REG_EIP
-                                                                        : UC_X86_REG_RIP));
+                                                                         : UC_X86_REG_RIP));
     // Every call starts with the same segments and floating point, and without the exception that
     // ended the last one.
     owner().restore_state();
@@ -76,9 +76,8 @@ class Emulator final : public UnicornMachine {
   [[nodiscard]] Registers current() override {
     Values values;
     list(values);
-    check(
-        uc_reg_read_batch(engine(), values.numbers.data(), values.places.data(), values.count),
-        "registers");
+    check(uc_reg_read_batch(engine(), values.numbers.data(), values.places.data(), values.count),
+          "registers");
     Registers registers;
     registers.flags = static_cast<std::uint32_t>(values.values.front()) & observed_flags;
     std::copy(values.values.begin() + 1, values.values.end(), registers.general.begin());
@@ -144,7 +143,7 @@ class Emulator final : public UnicornMachine {
   };
   void list(Values& to) const {
     const auto known = image().bits == 64 ? std::span<const uc_x86_reg>(wide_registers)
-                                         : std::span<const uc_x86_reg>(narrow_registers);
+                                          : std::span<const uc_x86_reg>(narrow_registers);
     std::copy(known.begin(), known.end(), to.numbers.begin());
     std::transform(to.values.begin(), to.values.end(), to.places.begin(),
                    [](std::uint64_t& value) { return &value; });
@@ -156,9 +155,9 @@ class Emulator final : public UnicornMachine {
     list(written);
     written.values.front() = 2U | registers.flags;  // bit 1 is always set
     std::copy_n(registers.general.begin(), register_count, written.values.begin() + 1);
-    check(uc_reg_write_batch(engine(), written.numbers.data(), written.places.data(),
-                             written.count),
-          "registers");
+    check(
+        uc_reg_write_batch(engine(), written.numbers.data(), written.places.data(), written.count),
+        "registers");
   }
 
   void add_hooks_of_x86() {
@@ -180,12 +179,13 @@ class Emulator final : public UnicornMachine {
     };
     owner().hook(UC_HOOK_INSN, at_out, as_data(), 1, 0, UC_X86_INS_OUT);
     using System = void(uc_engine*, void*);
-    System* const at_system = [](uc_engine*, void* data) { self<Emulator>(data).stop(End::system_call); };
+    System* const at_system = [](uc_engine*, void* data) {
+      self<Emulator>(data).stop(End::system_call);
+    };
     // Without a hook, Unicorn takes SYSCALL for an instruction without effect.
     owner().hook(UC_HOOK_INSN, at_system, as_data(), 1, 0, UC_X86_INS_SYSCALL);
     owner().hook(UC_HOOK_INSN, at_system, as_data(), 1, 0, UC_X86_INS_SYSENTER);
   }
-
 };
 
 }  // namespace

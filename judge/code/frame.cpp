@@ -244,8 +244,8 @@ Frame frame_for(const Image& image, std::string_view text, const cases::Variant&
   Frame frame{.text = std::string(text), .on_stack = false};
   const Architecture& architecture = *image.architecture;
   const auto words = [&](int bits) { return static_cast<std::size_t>(bits / image.bits); };
-  if (const auto parts = frame_text(text, std::max<std::size_t>(2, words(64)),
-                                    words(architecture.pointer_bits))) {
+  if (const auto parts =
+          frame_text(text, std::max<std::size_t>(2, words(64)), words(architecture.pointer_bits))) {
     frame.elsewhere = convention_of_registers(architecture, *parts, parameters, result_bits);
   } else if (text == "c") {
     frame.elsewhere = convention_of_c(architecture, parameters, result_bits);

@@ -214,10 +214,9 @@ bool has_extension(const std::string& path, const std::string& extension) {
 }
 
 void load_flat(Image& image, const std::string& bytes, std::uint32_t origin) {
-  const DataSpace apart =
-      image.architecture != nullptr ? image.architecture->data : DataSpace{};
+  const DataSpace apart = image.architecture != nullptr ? image.architecture->data : DataSpace{};
   const bool is_apart = apart.first != 0;
-  image.memory.assign(is_apart            ? apart.first + DataSpace::bytes
+  image.memory.assign(is_apart           ? apart.first + DataSpace::bytes
                       : image.bits == 16 ? 0x10000
                                          : 0x100000,
                       image.architecture != nullptr ? unused_elsewhere : unused);

@@ -197,8 +197,7 @@ class Linked {
       }
       image_.base = static_cast<std::uint32_t>(first);
     }
-    const auto origin =
-        file_.kind() == ET_EXEC ? static_cast<std::uint32_t>(first) : load_address;
+    const auto origin = file_.kind() == ET_EXEC ? static_cast<std::uint32_t>(first) : load_address;
     shift_ = origin - static_cast<std::uint32_t>(first);
     std::string flat(end - first, '\0');
     for (const Segment& s : segments_) {

@@ -120,11 +120,11 @@ class Simavr final : public Machine {
   [[nodiscard]] avr::Reach next_access() const {
     if (is_outside()) return {};
     return avr::reach_of({.word = word_at(avr_->pc),
-                      .next = word_at(avr_->pc + 2),
-                      .r = {avr_->data, avr::registers},
-                      .stack = stack_pointer(),
-                      .high_z = avr_->data[avr::rampz],
-                      .return_bytes = a_.pushed.bytes});
+                          .next = word_at(avr_->pc + 2),
+                          .r = {avr_->data, avr::registers},
+                          .stack = stack_pointer(),
+                          .high_z = avr_->data[avr::rampz],
+                          .return_bytes = a_.pushed.bytes});
   }
   [[nodiscard]] std::uint16_t word_at(std::uint32_t at) const {
     return static_cast<std::uint16_t>(avr_->flash[at] | avr_->flash[at + 1] << 8U);
@@ -156,7 +156,8 @@ class Simavr final : public Machine {
   /// The same for an access to the data space.
   static End end_at(const avr::Reach& access) {
     if (access.address + access.bytes > DataSpace::bytes) return End::bad_address;
-    if (access.address >= avr::first_memory || access.address < avr::first_port) return End::returned;
+    if (access.address >= avr::first_memory || access.address < avr::first_port)
+      return End::returned;
     // Of the ports, only those of the core are there: RAMPZ and EIND, SP and SREG.
     return access.address >= avr::rampz ? End::returned : End::port;
   }

@@ -146,9 +146,8 @@ class UnicornElsewhere final : public UnicornMachine {
     if (at > bytes_of_memory() - 8) return false;
     std::uint64_t bytes = 0;
     for (std::size_t i = 0; i < 8; ++i) bytes |= std::uint64_t{memory()[at + i]} << (8 * i);
-    return std::ranges::any_of(a_.divides, [&](const Pattern& p) {
-      return p.mask != 0 && (bytes & p.mask) == p.bits;
-    });
+    return std::ranges::any_of(
+        a_.divides, [&](const Pattern& p) { return p.mask != 0 && (bytes & p.mask) == p.bits; });
   }
 
   const Architecture& a_;

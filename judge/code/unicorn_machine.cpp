@@ -76,9 +76,8 @@ void UnicornMachine::add_trace_hooks() {
   engine_.hook(UC_HOOK_CODE, at_step, this, 1, 0);
   using Memory = void(uc_engine*, uc_mem_type, std::uint64_t, int, std::int64_t, void*);
   Memory* const at_access = [](uc_engine*, uc_mem_type type, std::uint64_t address, int size,
-                               std::int64_t, void* data) {
-    self(data).note_access(type, address, size);
-  };
+                               std::int64_t,
+                               void* data) { self(data).note_access(type, address, size); };
   engine_.hook(UC_HOOK_MEM_READ | UC_HOOK_MEM_WRITE, at_access, this, 1, 0);
 }
 

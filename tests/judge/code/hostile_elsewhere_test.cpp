@@ -1,7 +1,8 @@
-// Hostile routines of processors other than x86 have a clear end each, and what a caller does not set
-// is noise.
+// Hostile routines of processors other than x86 have a clear end each, and what a caller does not
+// set is noise.
 #include "tests/judge/code/hostile_elsewhere.hpp"
 
+#include <map>
 #include <set>
 
 #include "judge/code/caller.hpp"
@@ -83,6 +84,37 @@ TEST_P(HostileElsewhere, EveryRoutineIsNamed) {
     }
   }
   EXPECT_GE(routines, 8U) << code.name;
+}
+
+TEST(HostileAvr, RandomCodeStaysInItsMemory) {
+  const Code& code = other_processors::processor("AVR");
+  if (!other_processors::is_present(code)) GTEST_SKIP() << "simavr is not installed";
+  constexpr std::size_t words = 24;
+  const judge::Image image = judge::load_bytes(
+      "f.elf", other_processors::linked(code, std::string(4 * words, '0')), {.symbol = "f"});
+  judge::Trace trace;  // with one, a call ends after fewer steps
+  const auto machine = judge::make_simavr(image, &trace);
+  const std::span<std::uint8_t> before(machine->memory(), image.first);
+  const std::span<std::uint8_t> at(machine->memory() + image.first, 2 * words);
+  std::map<judge::End, int> ends;
+  for (std::uint64_t number = 0; number < 3000; ++number) {
+    cases::Draw draw(1994, number);
+    std::ranges::generate(at, [&] { return static_cast<std::uint8_t>(draw.bits()); });
+    const std::vector<std::uint8_t> kept(at.begin(), at.end());
+    judge::Registers registers;
+    for (std::uint64_t& r : registers.general) r = draw.bits() & 0xFFU;
+    registers.general[32] = draw.bits() & 0xFFFFU;  // SP
+    registers.flags = static_cast<std::uint32_t>(draw.bits());
+    trace = {};
+    ++ends[machine->call(registers).end];
+    ASSERT_TRUE(std::ranges::equal(at, kept)) << number;
+    ASSERT_TRUE(std::ranges::all_of(before, [](std::uint8_t b) { return b == 0; })) << number;
+  }
+  // Most routines end in another way than by returning, and in each way that there is.
+  for (const judge::End end : {judge::End::bad_instruction, judge::End::bad_address,
+                               judge::End::port, judge::End::endless}) {
+    EXPECT_GT(ends[end], 0) << static_cast<int>(end);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Processors, HostileElsewhere,
