@@ -37,8 +37,9 @@ constexpr int shift_of_byte(std::size_t index, std::size_t count) noexcept {
 ///     static_assert(bytes.size() == 4 && bytes[1] == std::byte{0xfe});
 ///
 /// @tparam Order std::endian::little or std::endian::big
-template <std::endian Order, class Raw, int F, policy P>
-[[nodiscard]] constexpr std::array<std::byte, sizeof(Raw)> to_bytes(number<Raw, F, P> x) noexcept {
+template <std::endian Order, class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr std::array<std::byte, sizeof(Raw)> to_bytes(
+    number<Raw, Point, Rules> x) noexcept {
   const auto bits = static_cast<std::uint64_t>(x.raw());
   std::array<std::byte, sizeof(Raw)> bytes{};
   for (std::size_t i = 0; i < sizeof(Raw); ++i) {
@@ -49,8 +50,8 @@ template <std::endian Order, class Raw, int F, policy P>
 
 /// The number that to_bytes() of the same order made these bytes of. Every pattern is a number.
 ///
-/// An array of the right size converts to the span. Of a longer span, take `first<N>()` or
-/// `subspan<At, N>()`.
+/// An array of the right size converts to the span. Of a longer span, take `first<Size>()` or
+/// `subspan<At, Size>()`.
 ///
 ///     constexpr std::array file{std::byte{0x80}, std::byte{1}, std::byte{7}};
 ///     static_assert(from_bytes<q8_8, std::endian::little>(std::span(file).first<2>()) ==

@@ -39,34 +39,34 @@ struct overflowing {
 
 namespace detail {
 
-template <class N, class Wide>
-constexpr N wrapped(const Wide& value) noexcept {
-  return N::from_raw(narrow<overflow::wrap, typename N::raw_type>(value, [] {}));
+template <class Number, class Wide>
+constexpr Number wrapped(const Wide& value) noexcept {
+  return Number::from_raw(narrow<overflow::wrap, typename Number::raw_type>(value, [] {}));
 }
 
-template <class N, class Wide>
-constexpr N saturated_to(const Wide& value) noexcept {
-  return N::from_raw(narrow<overflow::saturate, typename N::raw_type>(value, [] {}));
+template <class Number, class Wide>
+constexpr Number saturated_to(const Wide& value) noexcept {
+  return Number::from_raw(narrow<overflow::saturate, typename Number::raw_type>(value, [] {}));
 }
 
-template <class N, class Wide>
-constexpr overflowing<N> flagged(const Wide& value) noexcept {
-  return {wrapped<N>(value), !fits<typename N::raw_type>(value)};
+template <class Number, class Wide>
+constexpr overflowing<Number> flagged(const Wide& value) noexcept {
+  return {wrapped<Number>(value), !fits<typename Number::raw_type>(value)};
 }
 
-template <class N, class Wide>
-constexpr std::optional<N> if_in_range(const Wide& value) noexcept {
-  if (!fits<typename N::raw_type>(value)) return std::nullopt;
-  return wrapped<N>(value);
+template <class Number, class Wide>
+constexpr std::optional<Number> if_in_range(const Wide& value) noexcept {
+  if (!fits<typename Number::raw_type>(value)) return std::nullopt;
+  return wrapped<Number>(value);
 }
 
 /// Calls `done` with the rounded quotient, or `by_zero` with the value of n / 0.
-template <class N, class Done, class ByZero>
-constexpr auto with_quotient(N n, N d, const Done& done, const ByZero& by_zero) noexcept {
-  using raw = typename N::raw_type;
-  const auto divisor = effective_divisor<raw, N::fraction_bits, N::rules>(d.raw());
-  if (divisor == divisor_t<raw>{0}) return by_zero(N::from_raw(limit_toward_zero(n.raw())));
-  return done(quotient_of<raw, N::fraction_bits, N::rules>(n.raw(), divisor));
+template <class Number, class Done, class ByZero>
+constexpr auto with_quotient(Number n, Number d, const Done& done, const ByZero& by_zero) noexcept {
+  using raw = typename Number::raw_type;
+  const auto divisor = effective_divisor<raw, Number::fraction_bits, Number::rules>(d.raw());
+  if (divisor == divisor_t<raw>{0}) return by_zero(Number::from_raw(limit_toward_zero(n.raw())));
+  return done(quotient_of<raw, Number::fraction_bits, Number::rules>(n.raw(), divisor));
 }
 
 }  // namespace detail
@@ -75,21 +75,21 @@ constexpr auto with_quotient(N n, N d, const Done& done, const ByZero& by_zero) 
 /// \{
 
 /// a + b.
-template <any_number N>
-[[nodiscard]] constexpr std::optional<N> checked_add(N a, N b) noexcept {
-  return detail::if_in_range<N>(detail::exact_sum(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr std::optional<Number> checked_add(Number a, Number b) noexcept {
+  return detail::if_in_range<Number>(detail::exact_sum(a.raw(), b.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr overflowing<N> overflowing_add(N a, N b) noexcept {
-  return detail::flagged<N>(detail::exact_sum(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr overflowing<Number> overflowing_add(Number a, Number b) noexcept {
+  return detail::flagged<Number>(detail::exact_sum(a.raw(), b.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N saturating_add(N a, N b) noexcept {
-  return detail::saturated_to<N>(detail::exact_sum(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number saturating_add(Number a, Number b) noexcept {
+  return detail::saturated_to<Number>(detail::exact_sum(a.raw(), b.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N wrapping_add(N a, N b) noexcept {
-  return detail::wrapped<N>(detail::exact_sum(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number wrapping_add(Number a, Number b) noexcept {
+  return detail::wrapped<Number>(detail::exact_sum(a.raw(), b.raw()));
 }
 /// \}
 
@@ -97,21 +97,21 @@ template <any_number N>
 /// \{
 
 /// a - b.
-template <any_number N>
-[[nodiscard]] constexpr std::optional<N> checked_subtract(N a, N b) noexcept {
-  return detail::if_in_range<N>(detail::exact_difference(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr std::optional<Number> checked_subtract(Number a, Number b) noexcept {
+  return detail::if_in_range<Number>(detail::exact_difference(a.raw(), b.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr overflowing<N> overflowing_subtract(N a, N b) noexcept {
-  return detail::flagged<N>(detail::exact_difference(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr overflowing<Number> overflowing_subtract(Number a, Number b) noexcept {
+  return detail::flagged<Number>(detail::exact_difference(a.raw(), b.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N saturating_subtract(N a, N b) noexcept {
-  return detail::saturated_to<N>(detail::exact_difference(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number saturating_subtract(Number a, Number b) noexcept {
+  return detail::saturated_to<Number>(detail::exact_difference(a.raw(), b.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N wrapping_subtract(N a, N b) noexcept {
-  return detail::wrapped<N>(detail::exact_difference(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number wrapping_subtract(Number a, Number b) noexcept {
+  return detail::wrapped<Number>(detail::exact_difference(a.raw(), b.raw()));
 }
 /// \}
 
@@ -119,25 +119,25 @@ template <any_number N>
 /// \{
 
 /// a * b, rounded once by policy::multiply.
-template <any_number N>
-[[nodiscard]] constexpr std::optional<N> checked_multiply(N a, N b) noexcept {
-  return detail::if_in_range<N>(
-      detail::rounded_product<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr std::optional<Number> checked_multiply(Number a, Number b) noexcept {
+  return detail::if_in_range<Number>(
+      detail::rounded_product<Number::fraction_bits, Number::rules.multiply>(a.raw(), b.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr overflowing<N> overflowing_multiply(N a, N b) noexcept {
-  return detail::flagged<N>(
-      detail::rounded_product<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr overflowing<Number> overflowing_multiply(Number a, Number b) noexcept {
+  return detail::flagged<Number>(
+      detail::rounded_product<Number::fraction_bits, Number::rules.multiply>(a.raw(), b.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N saturating_multiply(N a, N b) noexcept {
-  return detail::saturated_to<N>(
-      detail::rounded_product<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number saturating_multiply(Number a, Number b) noexcept {
+  return detail::saturated_to<Number>(
+      detail::rounded_product<Number::fraction_bits, Number::rules.multiply>(a.raw(), b.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N wrapping_multiply(N a, N b) noexcept {
-  return detail::wrapped<N>(
-      detail::rounded_product<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number wrapping_multiply(Number a, Number b) noexcept {
+  return detail::wrapped<Number>(
+      detail::rounded_product<Number::fraction_bits, Number::rules.multiply>(a.raw(), b.raw()));
 }
 /// \}
 
@@ -145,25 +145,31 @@ template <any_number N>
 /// \{
 
 /// a * b + c, rounded once by policy::multiply.
-template <any_number N>
-[[nodiscard]] constexpr std::optional<N> checked_mul_add(N a, N b, N c) noexcept {
-  return detail::if_in_range<N>(
-      detail::rounded_mul_add<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw(), c.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr std::optional<Number> checked_mul_add(Number a, Number b,
+                                                              Number c) noexcept {
+  return detail::if_in_range<Number>(
+      detail::rounded_mul_add<Number::fraction_bits, Number::rules.multiply>(a.raw(), b.raw(),
+                                                                             c.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr overflowing<N> overflowing_mul_add(N a, N b, N c) noexcept {
-  return detail::flagged<N>(
-      detail::rounded_mul_add<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw(), c.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr overflowing<Number> overflowing_mul_add(Number a, Number b,
+                                                                Number c) noexcept {
+  return detail::flagged<Number>(
+      detail::rounded_mul_add<Number::fraction_bits, Number::rules.multiply>(a.raw(), b.raw(),
+                                                                             c.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N saturating_mul_add(N a, N b, N c) noexcept {
-  return detail::saturated_to<N>(
-      detail::rounded_mul_add<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw(), c.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number saturating_mul_add(Number a, Number b, Number c) noexcept {
+  return detail::saturated_to<Number>(
+      detail::rounded_mul_add<Number::fraction_bits, Number::rules.multiply>(a.raw(), b.raw(),
+                                                                             c.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N wrapping_mul_add(N a, N b, N c) noexcept {
-  return detail::wrapped<N>(
-      detail::rounded_mul_add<N::fraction_bits, N::rules.multiply>(a.raw(), b.raw(), c.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number wrapping_mul_add(Number a, Number b, Number c) noexcept {
+  return detail::wrapped<Number>(
+      detail::rounded_mul_add<Number::fraction_bits, Number::rules.multiply>(a.raw(), b.raw(),
+                                                                             c.raw()));
 }
 /// \}
 
@@ -171,21 +177,21 @@ template <any_number N>
 /// \{
 
 /// -a.
-template <any_number N>
-[[nodiscard]] constexpr std::optional<N> checked_negate(N a) noexcept {
-  return detail::if_in_range<N>(detail::exact_negative(a.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr std::optional<Number> checked_negate(Number a) noexcept {
+  return detail::if_in_range<Number>(detail::exact_negative(a.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr overflowing<N> overflowing_negate(N a) noexcept {
-  return detail::flagged<N>(detail::exact_negative(a.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr overflowing<Number> overflowing_negate(Number a) noexcept {
+  return detail::flagged<Number>(detail::exact_negative(a.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N saturating_negate(N a) noexcept {
-  return detail::saturated_to<N>(detail::exact_negative(a.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number saturating_negate(Number a) noexcept {
+  return detail::saturated_to<Number>(detail::exact_negative(a.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N wrapping_negate(N a) noexcept {
-  return detail::wrapped<N>(detail::exact_negative(a.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number wrapping_negate(Number a) noexcept {
+  return detail::wrapped<Number>(detail::exact_negative(a.raw()));
 }
 /// \}
 
@@ -193,21 +199,21 @@ template <any_number N>
 /// \{
 
 /// The absolute value of a.
-template <any_number N>
-[[nodiscard]] constexpr std::optional<N> checked_abs(N a) noexcept {
-  return detail::if_in_range<N>(detail::exact_magnitude(a.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr std::optional<Number> checked_abs(Number a) noexcept {
+  return detail::if_in_range<Number>(detail::exact_magnitude(a.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr overflowing<N> overflowing_abs(N a) noexcept {
-  return detail::flagged<N>(detail::exact_magnitude(a.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr overflowing<Number> overflowing_abs(Number a) noexcept {
+  return detail::flagged<Number>(detail::exact_magnitude(a.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N saturating_abs(N a) noexcept {
-  return detail::saturated_to<N>(detail::exact_magnitude(a.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number saturating_abs(Number a) noexcept {
+  return detail::saturated_to<Number>(detail::exact_magnitude(a.raw()));
 }
-template <any_number N>
-[[nodiscard]] constexpr N wrapping_abs(N a) noexcept {
-  return detail::wrapped<N>(detail::exact_magnitude(a.raw()));
+template <any_number Number>
+[[nodiscard]] constexpr Number wrapping_abs(Number a) noexcept {
+  return detail::wrapped<Number>(detail::exact_magnitude(a.raw()));
 }
 /// \}
 
@@ -216,21 +222,21 @@ template <any_number N>
 
 /// a * 2^places. A negative `places` shifts right, toward -infinity, as in a << places. Unlike
 /// there, `places` is an int.
-template <any_number N>
-[[nodiscard]] constexpr std::optional<N> checked_shift_left(N a, int places) noexcept {
-  return detail::if_in_range<N>(detail::exact_shift_left(a.raw(), places));
+template <any_number Number>
+[[nodiscard]] constexpr std::optional<Number> checked_shift_left(Number a, int places) noexcept {
+  return detail::if_in_range<Number>(detail::exact_shift_left(a.raw(), places));
 }
-template <any_number N>
-[[nodiscard]] constexpr overflowing<N> overflowing_shift_left(N a, int places) noexcept {
-  return detail::flagged<N>(detail::exact_shift_left(a.raw(), places));
+template <any_number Number>
+[[nodiscard]] constexpr overflowing<Number> overflowing_shift_left(Number a, int places) noexcept {
+  return detail::flagged<Number>(detail::exact_shift_left(a.raw(), places));
 }
-template <any_number N>
-[[nodiscard]] constexpr N saturating_shift_left(N a, int places) noexcept {
-  return detail::saturated_to<N>(detail::exact_shift_left(a.raw(), places));
+template <any_number Number>
+[[nodiscard]] constexpr Number saturating_shift_left(Number a, int places) noexcept {
+  return detail::saturated_to<Number>(detail::exact_shift_left(a.raw(), places));
 }
-template <any_number N>
-[[nodiscard]] constexpr N wrapping_shift_left(N a, int places) noexcept {
-  return detail::wrapped<N>(detail::exact_shift_left(a.raw(), places));
+template <any_number Number>
+[[nodiscard]] constexpr Number wrapping_shift_left(Number a, int places) noexcept {
+  return detail::wrapped<Number>(detail::exact_shift_left(a.raw(), places));
 }
 /// \}
 
@@ -238,49 +244,49 @@ template <any_number N>
 /// \{
 
 /// n / d, rounded once by policy::divide.
-template <any_number N>
-[[nodiscard]] constexpr std::optional<N> checked_divide(N n, N d) noexcept {
+template <any_number Number>
+[[nodiscard]] constexpr std::optional<Number> checked_divide(Number n, Number d) noexcept {
   return detail::with_quotient(
-      n, d, [](const auto& quotient) { return detail::if_in_range<N>(quotient); },
-      [](N) -> std::optional<N> { return std::nullopt; });
+      n, d, [](const auto& quotient) { return detail::if_in_range<Number>(quotient); },
+      [](Number) -> std::optional<Number> { return std::nullopt; });
 }
-template <any_number N>
-[[nodiscard]] constexpr overflowing<N> overflowing_divide(N n, N d) noexcept {
+template <any_number Number>
+[[nodiscard]] constexpr overflowing<Number> overflowing_divide(Number n, Number d) noexcept {
   return detail::with_quotient(
-      n, d, [](const auto& quotient) { return detail::flagged<N>(quotient); },
-      [](N limit) {
-        return overflowing<N>{limit, true};
+      n, d, [](const auto& quotient) { return detail::flagged<Number>(quotient); },
+      [](Number limit) {
+        return overflowing<Number>{limit, true};
       });
 }
-template <any_number N>
-[[nodiscard]] constexpr N saturating_divide(N n, N d) noexcept {
+template <any_number Number>
+[[nodiscard]] constexpr Number saturating_divide(Number n, Number d) noexcept {
   return detail::with_quotient(
-      n, d, [](const auto& quotient) { return detail::saturated_to<N>(quotient); },
-      [](N limit) { return limit; });
+      n, d, [](const auto& quotient) { return detail::saturated_to<Number>(quotient); },
+      [](Number limit) { return limit; });
 }
-template <any_number N>
-[[nodiscard]] constexpr N wrapping_divide(N n, N d) noexcept {
+template <any_number Number>
+[[nodiscard]] constexpr Number wrapping_divide(Number n, Number d) noexcept {
   return detail::with_quotient(
-      n, d, [](const auto& quotient) { return detail::wrapped<N>(quotient); },
-      [](N limit) { return limit; });
+      n, d, [](const auto& quotient) { return detail::wrapped<Number>(quotient); },
+      [](Number limit) { return limit; });
 }
 /// \}
 
 /// n % d, or nothing if d is zero. No other remainder overflows.
-template <any_number N>
-[[nodiscard]] constexpr std::optional<N> checked_remainder(N n, N d) noexcept {
+template <any_number Number>
+[[nodiscard]] constexpr std::optional<Number> checked_remainder(Number n, Number d) noexcept {
   if (d.raw() == 0) return std::nullopt;
   return n % d;
 }
 
 /// The square root, or nothing for a negative number or a result out of range.
-template <any_number N>
-[[nodiscard]] constexpr std::optional<N> checked_sqrt(N x) noexcept {
+template <any_number Number>
+[[nodiscard]] constexpr std::optional<Number> checked_sqrt(Number x) noexcept {
   if (x.raw() < 0) return std::nullopt;
-  using raw = typename N::raw_type;
-  const auto root = detail::nearest_root<N::fraction_bits>(x.raw());
+  using raw = typename Number::raw_type;
+  const auto root = detail::nearest_root<Number::fraction_bits>(x.raw());
   if (!detail::fits<raw>(root)) return std::nullopt;
-  return N::from_raw(static_cast<raw>(root));
+  return Number::from_raw(static_cast<raw>(root));
 }
 
 /// Remembers whether any result of a block of code was out of range or did not exist.
@@ -294,28 +300,28 @@ template <any_number N>
 class sticky_status {
  public:
   /// The wrapped sum; see overflowing_add().
-  template <any_number N>
-  [[nodiscard]] constexpr N add(N a, N b) noexcept {
+  template <any_number Number>
+  [[nodiscard]] constexpr Number add(Number a, Number b) noexcept {
     return keep(overflowing_add(a, b));
   }
   /// The wrapped difference; see overflowing_subtract().
-  template <any_number N>
-  [[nodiscard]] constexpr N subtract(N a, N b) noexcept {
+  template <any_number Number>
+  [[nodiscard]] constexpr Number subtract(Number a, Number b) noexcept {
     return keep(overflowing_subtract(a, b));
   }
   /// The wrapped product; see overflowing_multiply().
-  template <any_number N>
-  [[nodiscard]] constexpr N multiply(N a, N b) noexcept {
+  template <any_number Number>
+  [[nodiscard]] constexpr Number multiply(Number a, Number b) noexcept {
     return keep(overflowing_multiply(a, b));
   }
   /// The wrapped quotient; see overflowing_divide().
-  template <any_number N>
-  [[nodiscard]] constexpr N divide(N n, N d) noexcept {
+  template <any_number Number>
+  [[nodiscard]] constexpr Number divide(Number n, Number d) noexcept {
     return keep(overflowing_divide(n, d));
   }
   /// Keeps the result of any overflowing_ function.
-  template <any_number N>
-  constexpr N keep(const overflowing<N>& result) noexcept {
+  template <any_number Number>
+  constexpr Number keep(const overflowing<Number>& result) noexcept {
     overflow_ = overflow_ || result.overflow;
     return result.value;
   }

@@ -69,11 +69,11 @@ constexpr bool represents(Int value) noexcept {
   return fits<raw>(units<raw, Number::fraction_bits, overflow::saturate>(value));
 }
 
-/// The Number nearest to C.
-template <any_number Number, constant C>
+/// The Number nearest to Constant.
+template <any_number Number, constant Constant>
 constexpr Number nearest() noexcept {
-  static_assert(holds<Number>(C), "this constant is outside the range of this number type");
-  const auto [units, up] = in_units<Number::fraction_bits>(C);
+  static_assert(holds<Number>(Constant), "this constant is outside the range of this number type");
+  const auto [units, up] = in_units<Number::fraction_bits>(Constant);
   return Number::from_raw(static_cast<typename Number::raw_type>(units + up));
 }
 
@@ -177,45 +177,56 @@ inline constexpr Number egamma_v = detail::nearest<Number, detail::constants::eg
 /// @name Constants of `<numbers>`
 /// Equal to the constants of namespace fixproof.
 /// \{
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P> std::numbers::pi_v<fixproof::number<Raw, F, P>> =
-    fixproof::pi_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P> std::numbers::e_v<fixproof::number<Raw, F, P>> =
-    fixproof::e_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P> std::numbers::ln2_v<fixproof::number<Raw, F, P>> =
-    fixproof::ln2_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P> std::numbers::ln10_v<fixproof::number<Raw, F, P>> =
-    fixproof::ln10_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P> std::numbers::log2e_v<fixproof::number<Raw, F, P>> =
-    fixproof::log2e_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P> std::numbers::log10e_v<fixproof::number<Raw, F, P>> =
-    fixproof::log10e_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P> std::numbers::sqrt2_v<fixproof::number<Raw, F, P>> =
-    fixproof::sqrt2_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P> std::numbers::sqrt3_v<fixproof::number<Raw, F, P>> =
-    fixproof::sqrt3_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P> std::numbers::inv_pi_v<fixproof::number<Raw, F, P>> =
-    fixproof::inv_pi_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P>
-    std::numbers::inv_sqrtpi_v<fixproof::number<Raw, F, P>> =
-        fixproof::inv_sqrtpi_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P>
-    std::numbers::inv_sqrt3_v<fixproof::number<Raw, F, P>> =
-        fixproof::inv_sqrt3_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P> std::numbers::phi_v<fixproof::number<Raw, F, P>> =
-    fixproof::phi_v<fixproof::number<Raw, F, P>>;
-template <class Raw, int F, fixproof::policy P>
-inline constexpr fixproof::number<Raw, F, P> std::numbers::egamma_v<fixproof::number<Raw, F, P>> =
-    fixproof::egamma_v<fixproof::number<Raw, F, P>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::pi_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::pi_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::e_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::e_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::ln2_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::ln2_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::ln10_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::ln10_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::log2e_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::log2e_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::log10e_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::log10e_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::sqrt2_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::sqrt2_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::sqrt3_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::sqrt3_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::inv_pi_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::inv_pi_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::inv_sqrtpi_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::inv_sqrtpi_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::inv_sqrt3_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::inv_sqrt3_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::phi_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::phi_v<fixproof::number<Raw, Point, Rules>>;
+template <class Raw, int Point, fixproof::policy Rules>
+inline constexpr fixproof::number<Raw, Point, Rules>
+    std::numbers::egamma_v<fixproof::number<Raw, Point, Rules>> =
+        fixproof::egamma_v<fixproof::number<Raw, Point, Rules>>;
 /// \}

@@ -9,7 +9,7 @@
 ///     constexpr q16_16 half(0.5);                         // conversions are explicit
 ///     constexpr q16_16 x = q16_16(7) / q16_16(2) + half;
 ///     static_assert(x == q16_16(4) && x.raw() == 0x40000);
-///     const auto [cos, sin] = fixproof::sin_cos_of_tenths<q16_16>(450);  // 45.0 degrees
+///     const auto [sin, cos] = fixproof::sin_cos_of_tenths<q16_16>(450);  // 45.0 degrees
 ///     static_assert(fixproof::sin(half).raw() == 31420);       // of half a radian
 ///     static_assert(fixproof::exp(half).raw() == 108051);      // 108050.6
 ///     std::cout << x * cos << '\n';                       // exact decimal: 2.82843017578125
@@ -30,13 +30,15 @@
 /// FIXED_SMALL. The functions of real numbers then have different names. FIXED_SMALL and some flags
 /// also replace hardware doubles by integers in roots, divides and conversions from double. These
 /// keep their names, so the linker keeps one of two definitions; both give the same bits. The units
-/// must agree on exceptions and on FIXED_NO_INT128, where two definitions would not agree.
+/// must agree on exceptions, on FIXED_ON_ERROR, the program's function for errors, and on
+/// FIXED_NO_INT128, where two definitions would not agree.
 #pragma once
 
 #include "fixed/angle.hpp"
 #include "fixed/checked.hpp"
 #include "fixed/cmath.hpp"
 #include "fixed/constants.hpp"
+#include "fixed/exactness.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/formats.hpp"
 #include "fixed/limits.hpp"

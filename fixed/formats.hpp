@@ -16,8 +16,8 @@ namespace fixproof {
 ///
 ///     using precise = with_policy<q2_30, policies::saturating>;
 ///     static_assert(precise(1.5) + precise(1.5) == std::numeric_limits<precise>::max());
-template <class Number, policy P>
-using with_policy = number<typename Number::raw_type, Number::fraction_bits, P>;
+template <class Number, policy Rules>
+using with_policy = number<typename Number::raw_type, Number::fraction_bits, Rules>;
 
 /// @name 8 bits
 /// \{

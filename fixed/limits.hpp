@@ -13,9 +13,9 @@
 
 /// The limits of a number type. `min` is the smallest positive number, as for floating point, and
 /// `epsilon` is the step to the next number.
-template <class Raw, int FractionBits, fixproof::policy P>
-class std::numeric_limits<fixproof::number<Raw, FractionBits, P>> {
-  using number = fixproof::number<Raw, FractionBits, P>;
+template <class Raw, int FractionBits, fixproof::policy Rules>
+class std::numeric_limits<fixproof::number<Raw, FractionBits, Rules>> {
+  using number = fixproof::number<Raw, FractionBits, Rules>;
   using raw_limits = std::numeric_limits<Raw>;
 
   /// Binary digits before the point, without the sign; -1 if a half is out of range.
@@ -23,10 +23,11 @@ class std::numeric_limits<fixproof::number<Raw, FractionBits, P>> {
 
   static constexpr std::float_round_style style() noexcept {
     using fixproof::detail::is_to_nearest;
-    if (is_to_nearest<P.multiply> && is_to_nearest<P.divide>) return std::round_to_nearest;
-    if (P.multiply != P.divide) return std::round_indeterminate;
-    return P.multiply == fixproof::rounding::floor ? std::round_toward_neg_infinity
-                                                   : std::round_toward_zero;
+    if (is_to_nearest<Rules.multiply> && is_to_nearest<Rules.divide>) return std::round_to_nearest;
+    if (Rules.multiply != Rules.divide) return std::round_indeterminate;
+    if (Rules.multiply == fixproof::rounding::ceiling) return std::round_toward_infinity;
+    return Rules.multiply == fixproof::rounding::floor ? std::round_toward_neg_infinity
+                                                       : std::round_toward_zero;
   }
 
   /// bits * log10(2) rounded down, and rounded up; 0 for no bits.
@@ -50,7 +51,7 @@ class std::numeric_limits<fixproof::number<Raw, FractionBits, P>> {
   static constexpr bool is_iec559 = false;
   /// Whether sums and products wrap.
   static constexpr bool is_modulo =
-      P.range == fixproof::overflow::wrap && P.product_range() == fixproof::overflow::wrap;
+      Rules.range == fixproof::overflow::wrap && Rules.product_range() == fixproof::overflow::wrap;
   /// Whether any operation throws.
   static constexpr bool traps =
       !number::never_throws || !number::multiply_never_throws || !number::divide_never_throws;
@@ -111,10 +112,10 @@ class std::numeric_limits<fixproof::number<Raw, FractionBits, P>> {
 };
 
 /// The hash of the stored integer, so that equal numbers have equal hashes.
-template <class Raw, int FractionBits, fixproof::policy P>
-struct std::hash<fixproof::number<Raw, FractionBits, P>> {
+template <class Raw, int FractionBits, fixproof::policy Rules>
+struct std::hash<fixproof::number<Raw, FractionBits, Rules>> {
   /// The hash of x.raw().
-  std::size_t operator()(fixproof::number<Raw, FractionBits, P> x) const noexcept {
+  std::size_t operator()(fixproof::number<Raw, FractionBits, Rules> x) const noexcept {
     return std::hash<Raw>{}(x.raw());
   }
 };

@@ -47,20 +47,20 @@ consteval bool is_decimal() {
   return points <= 1;
 }
 
-/// A decimal literal rounded by rule R, or nothing if it is out of range.
-template <class N, rounding R, char... Chars>
+/// A decimal literal rounded by rule Rounding, or nothing if it is out of range.
+template <class Number, rounding Rounding, char... Chars>
 consteval auto read_literal() {
   constexpr auto text = literal_text<Chars...>;
-  decimal_reader<typename N::raw_type, N::fraction_bits> reader;
+  decimal_reader<typename Number::raw_type, Number::fraction_bits> reader;
   for (std::size_t i = 0; i < text.length; ++i) reader.take(text.chars[i]);
-  return reader.template value<R>();
+  return reader.template value<Rounding>();
 }
 
 /// Whether the exact text of `raw` is that of the literal, without zeros at its ends.
-template <class N, char... Chars>
-consteval bool is_exact(typename N::raw_type raw) {
-  std::array<char, max_decimal_chars<typename N::raw_type, N::fraction_bits>> exact{};
-  const char* const end = write_decimal<N::fraction_bits>(exact.data(), raw);
+template <class Number, char... Chars>
+consteval bool is_exact(typename Number::raw_type raw) {
+  std::array<char, max_decimal_chars<typename Number::raw_type, Number::fraction_bits>> exact{};
+  const char* const end = write_decimal<Number::fraction_bits>(exact.data(), raw);
   constexpr auto text = literal_text<Chars...>;
   std::size_t last = text.length;
   bool has_point = false;
@@ -77,25 +77,25 @@ consteval bool is_exact(typename N::raw_type raw) {
   return first == last && at == end;
 }
 
-template <class N, bool Rounds, char... Chars>
-consteval N literal() {
+template <class Number, bool Rounds, char... Chars>
+consteval Number literal() {
   constexpr bool decimal = is_decimal<Chars...>();
   static_assert(decimal, "a literal of a fixproof::number has only digits and a point");
   if constexpr (decimal) {
-    constexpr auto raw = read_literal < N, Rounds ? rounding::half_even : rounding::floor,
+    constexpr auto raw = read_literal < Number, Rounds ? rounding::half_even : rounding::floor,
                    Chars... > ();
     static_assert(
         raw.has_value(),
         "this literal is out of the range of its type; use a format with more bits before "
         "the point");
     if constexpr (raw.has_value()) {
-      static_assert(Rounds || is_exact<N, Chars...>(*raw),
+      static_assert(Rounds || is_exact<Number, Chars...>(*raw),
                     "this literal is not a value of its type; append _rounded to round it, as in "
                     "0.1_q16_16_rounded");
-      return N::from_raw(*raw);
+      return Number::from_raw(*raw);
     }
   }
-  return N();
+  return Number();
 }
 
 }  // namespace fixproof::detail

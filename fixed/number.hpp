@@ -18,6 +18,7 @@
 #include "fixed/detail/inlining.hpp"
 #include "fixed/detail/instead.hpp"
 #include "fixed/detail/integer.hpp"
+#include "fixed/detail/other_floats.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/raise.hpp"
 #include "fixed/detail/rounding.hpp"
@@ -43,20 +44,22 @@ namespace fixproof {
 ///
 /// @tparam Raw          the stored integer: signed or unsigned, of 8 to 64 bits
 /// @tparam FractionBits the binary digits after the point: 0 to the width of Raw
-/// @tparam P            the rules for rounding, overflow and division
-template <class Raw, int FractionBits, policy P = policies::wrapping>
+/// @tparam Rules        the rules for rounding, overflow and division
+template <class Raw, int FractionBits, policy Rules = policies::wrapping>
 class number {
   static_assert(detail::integer<Raw> && !std::is_const_v<Raw> && !std::is_volatile_v<Raw>,
                 "the stored integer of a fixproof::number is an integer of 8 to 64 bits, such as "
                 "std::int32_t; bool and character types are none");
   static_assert(FractionBits >= 0 && FractionBits <= detail::bits_of<Raw>,
                 "a fixproof::number has 0 to as many fraction bits as its stored integer has bits");
-  static_assert(P.range != overflow::as_range,
+  static_assert(Rules.range != overflow::as_range,
                 "policy::range is wrap, saturate or trap; as_range is for products and quotients");
-  static_assert(P.fault != divide_fault::signed_quotient || P.quotients == overflow::as_range,
+  static_assert(Rules.fault != divide_fault::signed_quotient ||
+                    Rules.quotients == overflow::as_range,
                 "policy::fault = signed_quotient makes every quotient out of range an error, so "
                 "policy::quotients has no effect; leave it out");
-  static_assert(P.divisor == divisor_width::full || FractionBits < std::numeric_limits<Raw>::digits,
+  static_assert(Rules.divisor == divisor_width::full ||
+                    FractionBits < std::numeric_limits<Raw>::digits,
                 "a number without whole bits has only 0 as the whole part of a divisor; use "
                 "divisor_width::full");
 
@@ -67,14 +70,14 @@ class number {
   /// Binary digits after the point.
   static constexpr int fraction_bits = FractionBits;
   /// The policy.
-  static constexpr policy rules = P;
+  static constexpr policy rules = Rules;
   /// Whether no sum, difference or conversion throws.
-  static constexpr bool never_throws = P.range != overflow::trap;
+  static constexpr bool never_throws = Rules.range != overflow::trap;
   /// Whether no product throws.
-  static constexpr bool multiply_never_throws = P.product_range() != overflow::trap;
+  static constexpr bool multiply_never_throws = Rules.product_range() != overflow::trap;
   /// Whether division never throws.
   static constexpr bool divide_never_throws =
-      P.quotient_range() != overflow::trap && P.fault == divide_fault::none;
+      Rules.quotient_range() != overflow::trap && Rules.fault == divide_fault::none;
 
   /// Zero.
   FIXED_ALWAYS_INLINE constexpr number() noexcept = default;
@@ -86,12 +89,12 @@ class number {
     return result;
   }
   /// @cond
-  template <class T>
-  requires std::is_floating_point_v<T>
-  static number from_raw(T)
+  template <class Type>
+  requires std::is_floating_point_v<Type>
+  static number from_raw(Type)
       FIXED_INSTEAD("from_raw takes the stored integer: to convert a value, write q16_16(1.5)");
-  template <class OtherRaw, int OtherBits, policy Q>
-  static number from_raw(number<OtherRaw, OtherBits, Q>)
+  template <class OtherRaw, int OtherBits, policy OtherRules>
+  static number from_raw(number<OtherRaw, OtherBits, OtherRules>)
       FIXED_INSTEAD("from_raw takes the stored integer: write from_raw(x.raw())");
   /// @endcond
 
@@ -104,8 +107,8 @@ class number {
   ///     static_assert(q16_16_saturating(40000).raw() == 0x7fffffff);
   template <detail::integer Int>
   explicit constexpr number(Int value) noexcept(never_throws)
-      : raw_(detail::narrow<P.range, raw_type>(
-            detail::units<raw_type, FractionBits, P.range>(value),
+      : raw_(detail::narrow<Rules.range, raw_type>(
+            detail::units<raw_type, FractionBits, Rules.range>(value),
             [value] { detail::raise<overflow_error>("overflow", "conversion", value); })) {}
 
   /// Converts a float or double, rounded by policy::multiply. The policy handles overflow; wrapping
@@ -119,8 +122,21 @@ class number {
   ///     static_assert(q16_16(std::numeric_limits<double>::quiet_NaN()) == q16_16());
   template <detail::binary_float Float>
   explicit constexpr number(Float value) noexcept(never_throws) {
-    if constexpr (detail::has_fast_conversion<Raw, P.range>) {
-      raw_ = detail::converted<P.multiply, P.range, Raw, FractionBits>(value);
+    if constexpr (detail::has_fast_conversion<Raw, Rules.range>) {
+      raw_ = detail::converted<Rules.multiply, Rules.range, Raw, FractionBits>(value);
+    } else {
+      raw_ = converted_in_integers(value);
+    }
+  }
+
+  /// The same for long double, for the types of 16 bits _Float16 and __fp16 where the compiler has
+  /// them, and for the types of C++23. A long double that is a pair of doubles is none of these.
+  ///
+  ///     static_assert(q32_32(0.1L).raw() == 429496730);  // 429496729.6
+  template <detail::other_float Float>
+  explicit constexpr number(Float value) noexcept(never_throws) {
+    if constexpr (detail::narrow_float<Float>) {
+      raw_ = number(static_cast<double>(value)).raw_;
     } else {
       raw_ = converted_in_integers(value);
     }
@@ -131,32 +147,33 @@ class number {
   ///
   ///     static_assert(q8_8(q16_16(1.5)) == q8_8(1.5));
   ///     static_assert(q8_8(q16_16::from_raw(128)) == q8_8::from_raw(1));  // a half goes up
-  template <class OtherRaw, int OtherBits, policy Q>
+  template <class OtherRaw, int OtherBits, policy OtherRules>
   requires(!std::same_as<OtherRaw, Raw> || OtherBits != FractionBits ||
-           Q != P) explicit constexpr number(number<OtherRaw, OtherBits, Q>
-                                                 other) noexcept(never_throws) {
+           OtherRules != Rules) explicit constexpr number(number<OtherRaw, OtherBits, OtherRules>
+                                                              other) noexcept(never_throws) {
     constexpr int up = FractionBits - OtherBits;
     using wide = detail::signed_t<detail::largest(
         detail::signed_bits<OtherRaw> + detail::larger(up, 1), detail::signed_bits<Raw>, 64)>;
-    const wide value = detail::shift_right<P.multiply>(wide{other.raw()} << detail::larger(up, 0),
-                                                       detail::larger(-up, 0));
-    raw_ = detail::narrow<P.range, raw_type>(
+    const wide value = detail::shift_right<Rules.multiply>(
+        wide{other.raw()} << detail::larger(up, 0), detail::larger(-up, 0));
+    raw_ = detail::narrow<Rules.range, raw_type>(
         value, [other] { detail::raise_overflow<OtherBits>("conversion", other.raw()); });
   }
 
   /// @cond
   // Conversions that do not compile. The pack, which is always empty, makes each of these a worse
   // match than an explicit conversion; so does volatile.
-  template <class T, class... Nothing>
-  requires(sizeof...(Nothing) == 0 && (detail::integer<T> || std::is_floating_point_v<T>))
-      number(T, Nothing...)
+  template <class Type, class... Nothing>
+  requires(sizeof...(Nothing) == 0 && (detail::integer<Type> || std::is_floating_point_v<Type> ||
+                                       detail::is_half_float<Type>)) number(Type, Nothing...)
   FIXED_INSTEAD("conversions are explicit: write q16_16(value), or a literal such as 1.5_q16_16");
-  template <class OtherRaw, int OtherBits, policy Q, class... Nothing>
-  requires(sizeof...(Nothing) == 0 && !std::same_as<number<OtherRaw, OtherBits, Q>, number>)
-      number(number<OtherRaw, OtherBits, Q>, Nothing...)
+  template <class OtherRaw, int OtherBits, policy OtherRules, class... Nothing>
+  requires(sizeof...(Nothing) == 0 &&
+           !std::same_as<number<OtherRaw, OtherBits, OtherRules>, number>)
+      number(number<OtherRaw, OtherBits, OtherRules>, Nothing...)
   FIXED_INSTEAD("formats convert explicitly, as in q8_8(x)");
-  template <class T>
-  requires(std::is_integral_v<T> && !detail::integer<T>) number(T)
+  template <class Type>
+  requires(std::is_integral_v<Type> && !detail::integer<Type>) number(Type)
   FIXED_INSTEAD("bool and char are not numbers: convert to int, as in q16_16(int{b})");
   explicit number(const char*)
       FIXED_INSTEAD("text becomes a number by from_chars, >> or a literal such as 1.5_q16_16");
@@ -184,6 +201,17 @@ class number {
     return detail::to_float<float, FractionBits>(raw_);
   }
 
+  /// The nearest long double: exact, unless it is no wider than double.
+  explicit constexpr operator long double() const noexcept {
+    if constexpr (std::numeric_limits<long double>::digits >= detail::bits_of<Raw>) {
+      constexpr int half = FractionBits / 2;
+      return static_cast<long double>(raw_) / static_cast<long double>(std::uint64_t{1} << half) /
+             static_cast<long double>(std::uint64_t{1} << (FractionBits - half));
+    } else {
+      return static_cast<double>(*this);
+    }
+  }
+
   /// The whole part, truncated toward zero, as from double. If Int is too small, the result is
   /// modulo 2^bits. See to_integer() for other roundings.
   ///
@@ -206,7 +234,7 @@ class number {
 
   /// The negative, exact. That of the lowest number overflows; the policy handles it.
   [[nodiscard]] constexpr number operator-() const noexcept(never_throws) {
-    return from_raw(narrowed<P.range>(detail::exact_negative(raw_), "operator-", raw_));
+    return from_raw(narrowed<Rules.range>(detail::exact_negative(raw_), "operator-", raw_));
   }
 
   /// The sum, exact. The policy handles overflow.
@@ -237,7 +265,7 @@ class number {
   [[nodiscard]] friend constexpr number operator/(number n,
                                                   number d) noexcept(divide_never_throws) {
     if constexpr (!divide_never_throws) {
-      const detail::division end = detail::try_division<Raw, FractionBits, P>(n.raw_, d.raw_);
+      const detail::division end = detail::try_division<Raw, FractionBits, Rules>(n.raw_, d.raw_);
       if (end == detail::division::divide_error) {
         detail::raise<divide_error>("divide error", "operator/", operand{n.raw_}, operand{d.raw_});
       }
@@ -245,7 +273,7 @@ class number {
         detail::raise_overflow<FractionBits>("operator/", n.raw_, d.raw_);
       }
     }
-    return from_raw(detail::single_divide<Raw, FractionBits, P>(n.raw_, d.raw_));
+    return from_raw(detail::single_divide<Raw, FractionBits, Rules>(n.raw_, d.raw_));
   }
 
   /// n - d * trunc(n / d), exact: the remainder has the sign of n. Division by zero is an error
@@ -264,7 +292,7 @@ class number {
   [[nodiscard]] friend constexpr number operator<<(number x, int places) noexcept(never_throws) {
     if (places < 0) return x >> (places < -64 ? 64 : -places);
     return from_raw(
-        narrowed<P.range>(detail::exact_shift_left(x.raw_, places), "operator<<", x.raw_));
+        narrowed<Rules.range>(detail::exact_shift_left(x.raw_, places), "operator<<", x.raw_));
   }
 
   /// x / 2^places toward -infinity, under every policy: the arithmetic shift of the stored integer.
@@ -292,18 +320,19 @@ class number {
 
   /// Adds b. If this throws, the number is unchanged and the error names operator+.
   FIXED_INLINE_UNOPTIMISED constexpr number& operator+=(number b) noexcept(never_throws) {
-    raw_ = narrowed<P.range>(detail::exact_sum(raw_, b.raw_), "operator+", raw_, b.raw_);
+    raw_ = narrowed<Rules.range>(detail::exact_sum(raw_, b.raw_), "operator+", raw_, b.raw_);
     return *this;
   }
   /// Subtracts b. If this throws, the number is unchanged and the error names operator-.
   FIXED_INLINE_UNOPTIMISED constexpr number& operator-=(number b) noexcept(never_throws) {
-    raw_ = narrowed<P.range>(detail::exact_difference(raw_, b.raw_), "operator-", raw_, b.raw_);
+    raw_ = narrowed<Rules.range>(detail::exact_difference(raw_, b.raw_), "operator-", raw_, b.raw_);
     return *this;
   }
   /// Multiplies by b. If this throws, the number is unchanged and the error names operator*.
   FIXED_INLINE_UNOPTIMISED constexpr number& operator*=(number b) noexcept(multiply_never_throws) {
-    raw_ = narrowed<P.product_range()>(
-        detail::rounded_product<FractionBits, P.multiply>(raw_, b.raw_), "operator*", raw_, b.raw_);
+    raw_ = narrowed<Rules.product_range()>(
+        detail::rounded_product<FractionBits, Rules.multiply>(raw_, b.raw_), "operator*", raw_,
+        b.raw_);
     return *this;
   }
   /// Divides by b. The number is unchanged if operator/ throws.
@@ -342,42 +371,42 @@ class number {
   /// The sum, exact. The policy handles overflow.
   template <detail::integer Int>
   [[nodiscard]] friend constexpr number operator+(number a, Int b) noexcept(never_throws) {
-    return with_integer<P.range>(units(b) + a.raw_, "operator+", a, b);
+    return with_integer<Rules.range>(units(b) + a.raw_, "operator+", a, b);
   }
   template <detail::integer Int>
   [[nodiscard]] friend constexpr number operator+(Int a, number b) noexcept(never_throws) {
-    return with_integer<P.range>(units(a) + b.raw_, "operator+", a, b);
+    return with_integer<Rules.range>(units(a) + b.raw_, "operator+", a, b);
   }
   /// The difference, exact. The policy handles overflow.
   template <detail::integer Int>
   [[nodiscard]] friend constexpr number operator-(number a, Int b) noexcept(never_throws) {
-    return with_integer<P.range>(-units(b) + a.raw_, "operator-", a, b);
+    return with_integer<Rules.range>(-units(b) + a.raw_, "operator-", a, b);
   }
   template <detail::integer Int>
   [[nodiscard]] friend constexpr number operator-(Int a, number b) noexcept(never_throws) {
-    return with_integer<P.range>(units(a) - b.raw_, "operator-", a, b);
+    return with_integer<Rules.range>(units(a) - b.raw_, "operator-", a, b);
   }
   /// The product, exact. The policy handles overflow.
   template <detail::integer Int>
   [[nodiscard]] friend constexpr number operator*(number a, Int b) noexcept(multiply_never_throws) {
-    return with_integer<P.product_range()>(factor(b) * a.raw_, "operator*", a, b);
+    return with_integer<Rules.product_range()>(factor(b) * a.raw_, "operator*", a, b);
   }
   template <detail::integer Int>
   [[nodiscard]] friend constexpr number operator*(Int a, number b) noexcept(multiply_never_throws) {
-    return with_integer<P.product_range()>(factor(a) * b.raw_, "operator*", a, b);
+    return with_integer<Rules.product_range()>(factor(a) * b.raw_, "operator*", a, b);
   }
   /// The quotient, rounded once by policy::divide. Division by 0 and overflow follow number /
   /// number.
   template <detail::integer Int>
   [[nodiscard]] friend constexpr number operator/(number n, Int d) noexcept(divide_never_throws) {
     if (d == 0) return n / number();
-    const auto quotient = detail::divide_by_integer<P.divide>(n.raw_, d);
-    if constexpr (P.fault == divide_fault::signed_quotient) {
+    const auto quotient = detail::divide_by_integer<Rules.divide>(n.raw_, d);
+    if constexpr (Rules.fault == divide_fault::signed_quotient) {
       if (!detail::fits<Raw>(quotient)) {
         detail::raise<divide_error>("divide error", "operator/", operand{n.raw_}, d);
       }
     }
-    return with_integer<P.quotient_range()>(quotient, "operator/", n, d);
+    return with_integer<Rules.quotient_range()>(quotient, "operator/", n, d);
   }
   /// The remainder, exact, as number % number.
   template <detail::integer Int>
@@ -441,16 +470,19 @@ class number {
   /// \}
 
  private:
-  template <detail::binary_float Float>
+  template <class Float>
   static constexpr raw_type converted_in_integers(Float value) noexcept(never_throws) {
-    using wide = detail::signed_t<detail::larger(64, 2 * detail::bits_of<raw_type>)>;
+    using wide =
+        std::conditional_t<detail::binary_float<Float>,
+                           detail::signed_t<detail::larger(64, 2 * detail::bits_of<raw_type>)>,
+                           detail::wide_integer<3>>;
     using kind = typename detail::scaled_float<wide>::kind;
-    const auto x = detail::scale<P.multiply, wide>(value, FractionBits);
-    if (x.what == kind::finite || (x.what == kind::beyond && P.range == overflow::wrap)) {
-      return detail::narrow<P.range, raw_type>(
+    const auto x = detail::scale<Rules.multiply, wide>(value, FractionBits);
+    if (x.what == kind::finite || (x.what == kind::beyond && Rules.range == overflow::wrap)) {
+      return detail::narrow<Rules.range, raw_type>(
           x.integer, [value] { detail::raise<overflow_error>("overflow", "conversion", value); });
     }
-    if constexpr (P.range == overflow::trap) {
+    if constexpr (Rules.range == overflow::trap) {
       if (x.what == kind::nan) detail::raise<domain_error>("domain error", "conversion", value);
       detail::raise<overflow_error>("overflow", "conversion", value);
     }
@@ -463,13 +495,13 @@ class number {
   static constexpr raw_type lowest = (std::numeric_limits<raw_type>::min)();
   static constexpr raw_type highest = (std::numeric_limits<raw_type>::max)();
 
-  /// The value as a stored integer under rule O. `operands` are stored integers; an error names the
-  /// operation and shows them as values.
-  template <overflow O, class Wide, class... Operands>
+  /// The value as a stored integer under rule Overflow. `operands` are stored integers; an error
+  /// names the operation and shows them as values.
+  template <overflow Overflow, class Wide, class... Operands>
   FIXED_ALWAYS_INLINE static constexpr raw_type narrowed(
       const Wide& value, const char* operation,
-      const Operands&... operands) noexcept(O != overflow::trap) {
-    return detail::narrow<O, raw_type>(
+      const Operands&... operands) noexcept(Overflow != overflow::trap) {
+    return detail::narrow<Overflow, raw_type>(
         value, [&] { detail::raise_overflow<FractionBits>(operation, operands...); });
   }
 
@@ -482,17 +514,17 @@ class number {
 
   /// An integer as a stored integer; see detail::units.
   static constexpr auto units(auto integer) noexcept {
-    return detail::units<Raw, FractionBits, P.range>(integer);
+    return detail::units<Raw, FractionBits, Rules.range>(integer);
   }
 
   static constexpr auto factor(auto integer) noexcept {
-    return detail::factor<Raw, P.product_range()>(integer);
+    return detail::factor<Raw, Rules.product_range()>(integer);
   }
 
   /// Applies the policy to a result. An error names the integer as it was given.
-  template <overflow O, class Wide, class A, class B>
-  static constexpr number with_integer(const Wide& value, const char* operation, A a,
-                                       B b) noexcept(O != overflow::trap) {
+  template <overflow Overflow, class Wide, class First, class Second>
+  static constexpr number with_integer(const Wide& value, const char* operation, First a,
+                                       Second b) noexcept(Overflow != overflow::trap) {
     const auto described = [](auto x) {
       if constexpr (std::integral<decltype(x)>) {
         return x;
@@ -500,7 +532,7 @@ class number {
         return operand{x.raw_};
       }
     };
-    return from_raw(detail::narrow<O, raw_type>(value, [&] {
+    return from_raw(detail::narrow<Overflow, raw_type>(value, [&] {
       detail::raise<overflow_error>("overflow", operation, described(a), described(b));
     }));
   }
@@ -519,14 +551,14 @@ class number {
 ///     static_assert(try_divide(q16_16(1), q16_16(2)) == q16_16(0.5));
 ///     static_assert(!try_divide(q16_16(1), q16_16(0)));
 ///     static_assert(!try_divide(q16_16_i8088(1), q16_16_i8088(0.5)));  // the whole part is 0
-template <class Raw, int FractionBits, policy P>
-[[nodiscard]] constexpr std::optional<number<Raw, FractionBits, P>> try_divide(
-    number<Raw, FractionBits, P> n, number<Raw, FractionBits, P> d) noexcept {
-  if (detail::try_division<Raw, FractionBits, P>(n.raw(), d.raw()) != detail::division::done) {
+template <class Raw, int FractionBits, policy Rules>
+[[nodiscard]] constexpr std::optional<number<Raw, FractionBits, Rules>> try_divide(
+    number<Raw, FractionBits, Rules> n, number<Raw, FractionBits, Rules> d) noexcept {
+  if (detail::try_division<Raw, FractionBits, Rules>(n.raw(), d.raw()) != detail::division::done) {
     return std::nullopt;
   }
-  return number<Raw, FractionBits, P>::from_raw(
-      detail::single_divide<Raw, FractionBits, P>(n.raw(), d.raw()));
+  return number<Raw, FractionBits, Rules>::from_raw(
+      detail::single_divide<Raw, FractionBits, Rules>(n.raw(), d.raw()));
 }
 
 /// 16.16: every operation rounds to nearest, ties up; overflow wraps.
@@ -567,10 +599,10 @@ using q8_8_i8088_unrounded = number<std::int16_t, 8, policies::i8088_unrounded>;
 
 namespace detail {
 
-template <class T>
+template <class Type>
 inline constexpr bool is_plain_number = false;
-template <class Raw, int F, policy P>
-inline constexpr bool is_plain_number<number<Raw, F, P>> = true;
+template <class Raw, int Point, policy Rules>
+inline constexpr bool is_plain_number<number<Raw, Point, Rules>> = true;
 
 }  // namespace detail
 

@@ -2,6 +2,8 @@
 /// The rules for rounding, overflow and division, and the named policies.
 #pragma once
 
+#include "fixed/detail/standard.hpp"
+
 namespace fixproof {
 
 /// The rule that chooses between the two neighbours of an inexact result.
@@ -11,6 +13,7 @@ enum class rounding {
   floor,      ///< toward -infinity
   truncate,   ///< toward zero
   half_even,  ///< to nearest; ties to even
+  ceiling,    ///< toward +infinity
 };
 
 /// What happens to a result outside the range of the type.

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "fixed/detail/interval_results.hpp"
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/overflow.hpp"
@@ -81,33 +82,46 @@ constexpr To length_to(Coordinates... of) noexcept(To::never_throws) {
 
 /// The ulps of x^y for x < 0 and a whole y, or for x > 0.
 template <class Number>
-constexpr std::int64_t power_of(Number x, Number y) noexcept {
-  constexpr int F = Number::fraction_bits;
-  const std::int64_t raw{x.raw()};
-  const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
-  const bool is_odd_power = (std::int64_t{y.raw()} >> F & 1) != 0;
-  constexpr rounding ties = ties_of<Number>;
-  if (raw > 0 || !is_odd_power) return nearest_real_power<ties>(magnitude, y.raw(), F);
-  // A negative tie that goes up goes down in magnitude.
-  constexpr bool is_up = ties == rounding::half_up;
-  return -(is_up ? nearest_real_power<rounding::floor>(magnitude, y.raw(), F)
-                 : nearest_real_power<ties>(magnitude, y.raw(), F));
+constexpr auto power_of(Number x, Number y) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return interval_power<ties_of<Number>>(real_operand_of(x), real_operand_of(y),
+                                           Number::fraction_bits);
+  } else {
+    constexpr int Point = Number::fraction_bits;
+    const std::int64_t raw{x.raw()};
+    const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+    const bool is_odd_power = (std::int64_t{y.raw()} >> Point & 1) != 0;
+    constexpr rounding ties = ties_of<Number>;
+    if (raw > 0 || !is_odd_power) return nearest_real_power<ties>(magnitude, y.raw(), Point);
+    // A negative tie that goes up goes down in magnitude.
+    constexpr bool is_up = ties == rounding::half_up;
+    return -(is_up ? nearest_real_power<rounding::floor>(magnitude, y.raw(), Point)
+                   : nearest_real_power<ties>(magnitude, y.raw(), Point));
+  }
 }
 
 /// The ulps of the cube root.
 template <class Number>
-constexpr std::int64_t cube_root(Number x) noexcept {
-  const std::int64_t raw{x.raw()};
-  const std::int64_t root =
-      nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw), Number::fraction_bits);
-  return raw < 0 ? -root : root;
+constexpr auto cube_root(Number x) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return interval_cube_root(real_operand_of(x), Number::fraction_bits);
+  } else {
+    const std::int64_t raw{x.raw()};
+    const std::int64_t root =
+        nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw), Number::fraction_bits);
+    return raw < 0 ? -root : root;
+  }
 }
 
 /// The ulps of 1 / sqrt(x) for x > 0.
 template <class Number>
-constexpr std::int64_t reciprocal_root(Number x) noexcept {
-  return nearest_reciprocal_root<ties_of<Number>>(static_cast<std::uint64_t>(x.raw()),
-                                                  Number::fraction_bits);
+constexpr auto reciprocal_root(Number x) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return interval_reciprocal_root<ties_of<Number>>(real_operand_of(x), Number::fraction_bits);
+  } else {
+    return nearest_reciprocal_root<ties_of<Number>>(static_cast<std::uint64_t>(x.raw()),
+                                                    Number::fraction_bits);
+  }
 }
 
 /// The ulps of 1 / x for an x that is not 0.
@@ -123,60 +137,61 @@ inline namespace FIXED_FUNCTIONS {
 /// The cube root.
 ///
 ///     static_assert(cbrt(q16_16(-2)).raw() == -82570 && cbrt(q16_16(27)) == 3);  // -82570.2
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> cbrt(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(cbrt, number<Raw, F, P>);
-  return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::cube_root(x), "cbrt", x);
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> cbrt(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
+  return detail::limited<number<Raw, Point, Rules>>(detail::FIXED_FUNCTIONS::cube_root(x), "cbrt",
+                                                    x);
 }
 
 /// 1 / sqrt(x). For x <= 0 it throws a domain_error under overflow::trap, and is the highest number
 /// under every other policy.
 ///
 ///     static_assert(rsqrt(q16_16(2)).raw() == 46341);  // 46340.95
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> rsqrt(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(rsqrt, number<Raw, F, P>);
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> rsqrt(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
   if (x.raw() <= 0) {
-    return detail::outside_domain<number<Raw, F, P>>((std::numeric_limits<Raw>::max)(), "rsqrt", x);
+    return detail::outside_domain<number<Raw, Point, Rules>>((std::numeric_limits<Raw>::max)(),
+                                                             "rsqrt", x);
   }
-  return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::reciprocal_root(x), "rsqrt",
-                                            x);
+  return detail::limited<number<Raw, Point, Rules>>(detail::FIXED_FUNCTIONS::reciprocal_root(x),
+                                                    "rsqrt", x);
 }
 
 /// 1 / x, rounded to nearest. (Operator / rounds as the policy says.) For zero it throws a
 /// domain_error under overflow::trap, and is the highest number under every other policy.
 ///
 ///     static_assert(reciprocal(q16_16(-3)).raw() == -21845);  // -21845.3
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> reciprocal(number<Raw, F, P> x) noexcept(
-    number<Raw, F, P>::never_throws) {
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> reciprocal(number<Raw, Point, Rules> x) noexcept(
+    number<Raw, Point, Rules>::never_throws) {
   if (x.raw() == 0) {
-    return detail::outside_domain<number<Raw, F, P>>((std::numeric_limits<Raw>::max)(),
-                                                     "reciprocal", x);
+    return detail::outside_domain<number<Raw, Point, Rules>>((std::numeric_limits<Raw>::max)(),
+                                                             "reciprocal", x);
   }
-  return detail::limited<number<Raw, F, P>>(detail::FIXED_FUNCTIONS::reciprocal_of(x), "reciprocal",
-                                            x);
+  return detail::limited<number<Raw, Point, Rules>>(detail::FIXED_FUNCTIONS::reciprocal_of(x),
+                                                    "reciprocal", x);
 }
 
 /// The length of the vector (x, y). There are no ties.
 ///
 ///     static_assert(hypot(q16_16(30000), q16_16(-3)).raw() == 1966080010);  // 1966080009.8
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> hypot(number<Raw, F, P> x, number<Raw, F, P> y) noexcept(
-    number<Raw, F, P>::never_throws) {
-  return detail::FIXED_FUNCTIONS::length<number<Raw, F, P>>(x, y);
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> hypot(
+    number<Raw, Point, Rules> x,
+    number<Raw, Point, Rules> y) noexcept(number<Raw, Point, Rules>::never_throws) {
+  return detail::FIXED_FUNCTIONS::length<number<Raw, Point, Rules>>(x, y);
 }
 
 /// The length of the vector (x, y, z).
 ///
 ///     static_assert(hypot(q16_16(2), q16_16(3), q16_16(6)) == 7);
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> hypot(
-    number<Raw, F, P> x, number<Raw, F, P> y,
-    number<Raw, F, P> z) noexcept(number<Raw, F, P>::never_throws) {
-  return detail::FIXED_FUNCTIONS::length<number<Raw, F, P>>(x, y, z);
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> hypot(
+    number<Raw, Point, Rules> x, number<Raw, Point, Rules> y,
+    number<Raw, Point, Rules> z) noexcept(number<Raw, Point, Rules>::never_throws) {
+  return detail::FIXED_FUNCTIONS::length<number<Raw, Point, Rules>>(x, y, z);
 }
 
 /// The square root as a To: the To nearest to the exact root, for every x. If the policy of To
@@ -186,16 +201,16 @@ template <class Raw, int F, policy P>
 ///
 ///     static_assert(sqrt<q2_30>(q16_16(2)).raw() == 1518500250);  // 1518500249.99
 ///     static_assert(sqrt<q16_16>(q32_0(2)).raw() == 92682);       // 92681.9
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To sqrt(number<Raw, F, P> x) noexcept(To::never_throws) {
+[[nodiscard]] constexpr To sqrt(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   constexpr overflow range = detail::function_range<To::rules.range>;
   if constexpr (range == overflow::trap) {
     if (x.raw() < 0) {
-      detail::raise<domain_error>("domain error", "sqrt", detail::operand<Raw, F>{x.raw()});
+      detail::raise<domain_error>("domain error", "sqrt", detail::operand<Raw, Point>{x.raw()});
     }
   }
-  constexpr int shift = 2 * To::fraction_bits - F;
+  constexpr int shift = 2 * To::fraction_bits - Point;
   constexpr int bits = std::numeric_limits<Raw>::digits;
   using wide = detail::signed_t<detail::larger(detail::signed_bits<typename To::raw_type>,
                                                bits + detail::larger(shift, 1) + 4)>;
@@ -211,21 +226,21 @@ requires detail::is_plain_number<To>
 ///
 ///     static_assert(hypot<q2_30>(q1_31(-1), q1_31(-1)).raw() == 1518500250);  // 1518500249.99
 ///     static_assert(hypot<q16_16>(q24_8(-3), q2_30(1.25)) == q16_16(3.25));
-template <class To, class A, int FA, policy PA, class B, int FB, policy PB>
+template <class To, class RawA, int FA, policy PA, class RawB, int FB, policy PB>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To hypot(number<A, FA, PA> x,
-                                 number<B, FB, PB> y) noexcept(To::never_throws) {
+[[nodiscard]] constexpr To hypot(number<RawA, FA, PA> x,
+                                 number<RawB, FB, PB> y) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::length_to<To>(x, y);
 }
 
 /// The length of the vector (x, y, z) as a To, as that of two numbers.
 ///
 ///     static_assert(hypot<q2_14>(q1_15(-0.5), q1_15(-0.5), q1_15(-0.5)).raw() == 14189);
-template <class To, class A, int FA, policy PA, class B, int FB, policy PB, class C, int FC,
-          policy PC>
+template <class To, class RawA, int FA, policy PA, class RawB, int FB, policy PB, class RawC,
+          int FC, policy PC>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To hypot(number<A, FA, PA> x, number<B, FB, PB> y,
-                                 number<C, FC, PC> z) noexcept(To::never_throws) {
+[[nodiscard]] constexpr To hypot(number<RawA, FA, PA> x, number<RawB, FB, PB> y,
+                                 number<RawC, FC, PC> z) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::length_to<To>(x, y, z);
 }
 
@@ -235,17 +250,16 @@ requires detail::is_plain_number<To>
 ///
 ///     static_assert(pow(q16_16(3), q16_16(1.5)).raw() == 340535);  // 340535.05
 ///     static_assert(pow(q16_16(-2), q16_16(-3)) == q16_16(-0.125));
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> pow(number<Raw, F, P> x, number<Raw, F, P> y) noexcept(
-    number<Raw, F, P>::never_throws) {
-  FIXED_NEEDS_32_BITS(pow, number<Raw, F, P>);
-  using result = number<Raw, F, P>;
-  const std::int64_t exponent{y.raw()};
-  if (exponent != 0 && x.raw() == 0) {
-    if (exponent > 0) return x;
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> pow(
+    number<Raw, Point, Rules> x,
+    number<Raw, Point, Rules> y) noexcept(number<Raw, Point, Rules>::never_throws) {
+  using result = number<Raw, Point, Rules>;
+  if (y.raw() != 0 && x.raw() == 0) {
+    if (y.raw() > 0) return x;
     return detail::outside_domain<result>((std::numeric_limits<Raw>::max)(), "pow", x, y);
   }
-  if (x.raw() < 0 && exponent % (std::int64_t{1} << F) != 0) {
+  if (x.raw() < 0 && !detail::real_operand_of(y).is_whole()) {
     return detail::outside_domain<result>(0, "pow", x, y);
   }
   return detail::limited<result>(detail::FIXED_FUNCTIONS::power_of(x, y), "pow", x, y);

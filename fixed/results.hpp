@@ -1,17 +1,15 @@
 /// @file
 /// Functions of real numbers with a result in a format of its own: sin<q2_30>(x) for an x of 16.16.
 ///
-/// Each result is the To nearest to the exact value, under every policy. To
-/// and the operand have at most 32 bits. The policy of To decides ties and results out of range,
-/// and what happens outside the domain, as the policy of the type does in the functions of one
-/// format. sqrt<To>() and hypot<To>() are in fixed/power.hpp.
+/// Each result is the To nearest to the exact value, under every policy. The policy of To decides
+/// ties and results out of range, and what happens outside the domain, as the policy of the type
+/// does in the functions of one format. sqrt<To>() and hypot<To>() are in fixed/power.hpp.
 #pragma once
 
 #include <cstdint>
 
 #include "fixed/angle.hpp"
 #include "fixed/detail/function_kinds.hpp"
-#include "fixed/detail/operands.hpp"
 #include "fixed/detail/variant.hpp"
 #include "fixed/exponential.hpp"
 #include "fixed/number.hpp"
@@ -27,40 +25,33 @@ inline namespace FIXED_FUNCTIONS {
 /// The sine of an angle in radians, as a To.
 ///
 ///     static_assert(sin<q2_30>(q16_16(100)).raw() == -543705967);  // -543705967.1
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To sin(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin, To);
-  FIXED_NEEDS_32_BITS(sin, number<Raw, F, P>);
+[[nodiscard]] constexpr To sin(number<Raw, Point, Rules> angle) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, To>(angle, 0, "sin");
 }
 
 /// The cosine of an angle in radians, as a To.
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To cos(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(cos, To);
-  FIXED_NEEDS_32_BITS(cos, number<Raw, F, P>);
+[[nodiscard]] constexpr To cos(number<Raw, Point, Rules> angle) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, To>(angle, 1, "cos");
 }
 
 /// The tangent of an angle in radians, as a To.
 ///
 ///     static_assert(tan<q16_16>(q2_30(1.5)).raw() == 924151);  // 924150.7
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To tan(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(tan, To);
-  FIXED_NEEDS_32_BITS(tan, number<Raw, F, P>);
+[[nodiscard]] constexpr To tan(number<Raw, Point, Rules> angle) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::radian, To>(angle, "tan");
 }
 
 /// The sine of an angle in degrees, as a To.
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To sin_of_degrees(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_of_degrees, To);
-  FIXED_NEEDS_32_BITS(sin_of_degrees, number<Raw, F, P>);
+[[nodiscard]] constexpr To sin_of_degrees(number<Raw, Point, Rules> angle) noexcept(
+    To::never_throws) {
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, To>(angle, 0,
                                                                           "sin_of_degrees");
 }
@@ -68,22 +59,20 @@ requires detail::is_plain_number<To>
 /// The cosine of an angle in degrees, as a To.
 ///
 ///     static_assert(cos_of_degrees<q2_30>(q16_16(60)) == q2_30(0.5));
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To cos_of_degrees(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(cos_of_degrees, To);
-  FIXED_NEEDS_32_BITS(cos_of_degrees, number<Raw, F, P>);
+[[nodiscard]] constexpr To cos_of_degrees(number<Raw, Point, Rules> angle) noexcept(
+    To::never_throws) {
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::degree, To>(angle, 1,
                                                                           "cos_of_degrees");
 }
 
 /// The tangent of an angle in degrees, as a To. The highest number for an odd number of quarter
 /// turns, or a domain_error; see tan_of_degrees() of one format.
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To tan_of_degrees(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(tan_of_degrees, To);
-  FIXED_NEEDS_32_BITS(tan_of_degrees, number<Raw, F, P>);
+[[nodiscard]] constexpr To tan_of_degrees(number<Raw, Point, Rules> angle) noexcept(
+    To::never_throws) {
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::degree, To>(angle,
                                                                              "tan_of_degrees");
 }
@@ -91,62 +80,54 @@ requires detail::is_plain_number<To>
 /// The sine of an angle in turns, as a To.
 ///
 ///     static_assert(sin_of_turns<q16_16>(u0_32(0.25)) == 1);  // out of range in u0_32
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To sin_of_turns(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_of_turns, To);
-  FIXED_NEEDS_32_BITS(sin_of_turns, number<Raw, F, P>);
+[[nodiscard]] constexpr To sin_of_turns(number<Raw, Point, Rules> angle) noexcept(
+    To::never_throws) {
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, To>(angle, 0, "sin_of_turns");
 }
 
 /// The cosine of an angle in turns, as a To.
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To cos_of_turns(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(cos_of_turns, To);
-  FIXED_NEEDS_32_BITS(cos_of_turns, number<Raw, F, P>);
+[[nodiscard]] constexpr To cos_of_turns(number<Raw, Point, Rules> angle) noexcept(
+    To::never_throws) {
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::turn, To>(angle, 1, "cos_of_turns");
 }
 
 /// The tangent of an angle in turns, as a To. The highest number for an odd number of quarter
 /// turns, or a domain_error; see tan_of_turns() of one format.
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To tan_of_turns(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(tan_of_turns, To);
-  FIXED_NEEDS_32_BITS(tan_of_turns, number<Raw, F, P>);
+[[nodiscard]] constexpr To tan_of_turns(number<Raw, Point, Rules> angle) noexcept(
+    To::never_throws) {
   return detail::FIXED_FUNCTIONS::tangent_of<detail::angle_unit::turn, To>(angle, "tan_of_turns");
 }
 
 /// cos<To>() and sin<To>().
 ///
 ///     static_assert(sin_cos<q2_30>(q16_16()).cos == 1);
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr cos_sin<To> sin_cos(number<Raw, F, P> angle) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_cos, To);
-  FIXED_NEEDS_32_BITS(sin_cos, number<Raw, F, P>);
-  return {cos<To>(angle), sin<To>(angle)};
+[[nodiscard]] constexpr sin_and_cos<To> sin_cos(number<Raw, Point, Rules> angle) noexcept(
+    To::never_throws) {
+  return {sin<To>(angle), cos<To>(angle)};
 }
 
 /// cos_of_degrees<To>() and sin_of_degrees<To>().
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr cos_sin<To> sin_cos_of_degrees(number<Raw, F, P> angle) noexcept(
-    To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_cos_of_degrees, To);
-  FIXED_NEEDS_32_BITS(sin_cos_of_degrees, number<Raw, F, P>);
-  return {cos_of_degrees<To>(angle), sin_of_degrees<To>(angle)};
+[[nodiscard]] constexpr sin_and_cos<To> sin_cos_of_degrees(
+    number<Raw, Point, Rules> angle) noexcept(To::never_throws) {
+  return {sin_of_degrees<To>(angle), cos_of_degrees<To>(angle)};
 }
 
 /// cos_of_turns<To>() and sin_of_turns<To>().
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr cos_sin<To> sin_cos_of_turns(number<Raw, F, P> angle) noexcept(
+[[nodiscard]] constexpr sin_and_cos<To> sin_cos_of_turns(number<Raw, Point, Rules> angle) noexcept(
     To::never_throws) {
-  FIXED_NEEDS_32_BITS(sin_cos_of_turns, To);
-  FIXED_NEEDS_32_BITS(sin_cos_of_turns, number<Raw, F, P>);
-  return {cos_of_turns<To>(angle), sin_of_turns<To>(angle)};
+  return {sin_of_turns<To>(angle), cos_of_turns<To>(angle)};
 }
 
 /// \}
@@ -157,61 +138,48 @@ requires detail::is_plain_number<To>
 /// 2 to the power of x, as a To.
 ///
 ///     static_assert(exp2<q16_16>(q2_30(-1.5)).raw() == 23170);  // 23170.475
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To exp2(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(exp2, To);
-  FIXED_NEEDS_32_BITS(exp2, number<Raw, F, P>);
+[[nodiscard]] constexpr To exp2(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::two, To>(x, 0, "exp2");
 }
 
 /// e to the power of x, as a To.
 ///
 ///     static_assert(exp<q2_30>(q16_16(-1)).raw() == 395007542);  // 395007542.2
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To exp(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(exp, To);
-  FIXED_NEEDS_32_BITS(exp, number<Raw, F, P>);
+[[nodiscard]] constexpr To exp(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, To>(x, 0, "exp");
 }
 
 /// e to the power of x, minus 1, as a To.
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To expm1(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(expm1, To);
-  FIXED_NEEDS_32_BITS(expm1, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, To>(
-      x, std::int64_t{1} << To::fraction_bits, "expm1");
+[[nodiscard]] constexpr To expm1(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, To>(x, 1, "expm1");
 }
 
 /// The hyperbolic sine, as a To.
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To sinh(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(sinh, To);
-  FIXED_NEEDS_32_BITS(sinh, number<Raw, F, P>);
+[[nodiscard]] constexpr To sinh(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::sine, To>(x, "sinh");
 }
 
 /// The hyperbolic cosine, as a To.
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To cosh(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(cosh, To);
-  FIXED_NEEDS_32_BITS(cosh, number<Raw, F, P>);
+[[nodiscard]] constexpr To cosh(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::hyperbolic<detail::hyperbola::cosine, To>(x, "cosh");
 }
 
 /// The hyperbolic tangent, as a To.
 ///
 ///     static_assert(tanh<q1_31>(q16_16(-1)).raw() == -1635510996);  // -1635510996.3
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To tanh(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(tanh, To);
-  FIXED_NEEDS_32_BITS(tanh, number<Raw, F, P>);
+[[nodiscard]] constexpr To tanh(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::hyperbolic_tangent<To>(x);
 }
 
@@ -224,39 +192,30 @@ requires detail::is_plain_number<To>
 /// one format.
 ///
 ///     static_assert(log<q8_24>(q32_0(3000000)).raw() == 250217460);  // 250217460.4
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To log(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log, To);
-  FIXED_NEEDS_32_BITS(log, number<Raw, F, P>);
+[[nodiscard]] constexpr To log(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, To>(x, 0, "log");
 }
 
 /// The natural logarithm of 1 + x, as a To. For x <= -1, see log().
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To log1p(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log1p, To);
-  FIXED_NEEDS_32_BITS(log1p, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, To>(x, std::int64_t{1} << F,
-                                                                           "log1p");
+[[nodiscard]] constexpr To log1p(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::e, To>(x, 1, "log1p");
 }
 
 /// The logarithm to base 2, as a To. For x <= 0, see log().
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To log2(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log2, To);
-  FIXED_NEEDS_32_BITS(log2, number<Raw, F, P>);
+[[nodiscard]] constexpr To log2(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::two, To>(x, 0, "log2");
 }
 
 /// The logarithm to base 10, as a To. For x <= 0, see log().
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To log10(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(log10, To);
-  FIXED_NEEDS_32_BITS(log10, number<Raw, F, P>);
+[[nodiscard]] constexpr To log10(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::logarithm<detail::logarithm_base::ten, To>(x, 0, "log10");
 }
 
@@ -268,44 +227,38 @@ requires detail::is_plain_number<To>
 /// The angle whose tangent is x, as a To.
 ///
 ///     static_assert(atan<q2_30>(q16_16(100)).raw() == 1675892653);  // 1675892652.7
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To atan(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(atan, To);
-  FIXED_NEEDS_32_BITS(atan, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::angle_of<To>(x.raw(), std::int64_t{1} << F, "atan", x);
+[[nodiscard]] constexpr To atan(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::angle_of_slope<detail::angle_unit::radian, To>(x, "atan");
 }
 
 /// The angle of the vector (x, y), as a To; 0 if both are 0. The two numbers have one type.
 ///
 ///     static_assert(atan2<q4_28>(q16_16(1), q16_16(-1)).raw() == 632486142);
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To atan2(number<Raw, F, P> y,
-                                 number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(atan2, To);
-  FIXED_NEEDS_32_BITS(atan2, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::angle_of<To>(y.raw(), x.raw(), "atan2", y, x);
+[[nodiscard]] constexpr To atan2(number<Raw, Point, Rules> y,
+                                 number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::angle_of<detail::angle_unit::radian, To>(y, x, "atan2");
 }
 
 /// The angle whose sine is x, as a To. Outside -1 to 1 it is 0, or a domain_error.
 ///
 ///     static_assert(asin<q2_30>(q1_31(-1)).raw() == -1686629713);  // -pi/2
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To asin(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(asin, To);
-  FIXED_NEEDS_32_BITS(asin, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::sine, To>(x, "asin");
+[[nodiscard]] constexpr To asin(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::angle_unit::radian,
+                                                 detail::triangle_side::sine, To>(x, "asin");
 }
 
 /// The angle whose cosine is x, as a To. Outside -1 to 1, see asin().
-template <class To, class Raw, int F, policy P>
+template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
-[[nodiscard]] constexpr To acos(number<Raw, F, P> x) noexcept(To::never_throws) {
-  FIXED_NEEDS_32_BITS(acos, To);
-  FIXED_NEEDS_32_BITS(acos, number<Raw, F, P>);
-  return detail::FIXED_FUNCTIONS::triangle_angle<detail::triangle_side::cosine, To>(x, "acos");
+[[nodiscard]] constexpr To acos(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::angle_unit::radian,
+                                                 detail::triangle_side::cosine, To>(x, "acos");
 }
 
 /// \}

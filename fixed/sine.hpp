@@ -18,25 +18,25 @@
 
 namespace fixproof {
 
-/// The result of sin_cos() and the functions like it.
+/// The result of sin_cos() and the functions like it. As in their names, the sine comes first.
 template <class Number>
-struct cos_sin {
-  Number cos;  ///< The cosine.
+struct sin_and_cos {
   Number sin;  ///< The sine.
+  Number cos;  ///< The cosine.
 
   /// Whether both members are equal.
-  friend constexpr bool operator==(const cos_sin&, const cos_sin&) = default;
+  friend constexpr bool operator==(const sin_and_cos&, const sin_and_cos&) = default;
 };
 
-/// The cosine and the sine of an angle in tenths of a degree, each rounded to nearest. Accepts any
+/// The sine and the cosine of an angle in tenths of a degree, each rounded to nearest. Accepts any
 /// value of any integer type; the period is 3600. The same under every policy.
 ///
-///     const auto [cos, sin] = fixproof::sin_cos_of_tenths<fixproof::q16_16>(450);
+///     const auto [sin, cos] = fixproof::sin_cos_of_tenths<fixproof::q16_16>(450);
 ///     // The period is 3600.
 ///     static_assert(sin_cos_of_tenths<q16_16>(-3300) == sin_cos_of_tenths<q16_16>(300));
 ///     static_assert(fixproof::sin_of_tenths<q16_16>(300) == q16_16(0.5));
 template <class Number>
-[[nodiscard]] constexpr cos_sin<Number> sin_cos_of_tenths(std::integral auto angle) noexcept {
+[[nodiscard]] constexpr sin_and_cos<Number> sin_cos_of_tenths(std::integral auto angle) noexcept {
   static_assert(std::is_signed_v<typename Number::raw_type> &&
                     detail::bits_of<typename Number::raw_type> <= 32 &&
                     Number::fraction_bits <= detail::bits_of<typename Number::raw_type> - 2 &&
@@ -54,7 +54,7 @@ template <class Number>
   const auto result = [sign](std::int32_t magnitude) {
     return Number::from_raw(static_cast<typename Number::raw_type>((magnitude ^ sign) - sign));
   };
-  return {result(table[step + turn / 4]), result(table[step])};
+  return {result(table[step]), result(table[step + turn / 4])};
 }
 
 /// The cosine of an angle in tenths of a degree; see sin_cos_of_tenths().
@@ -73,40 +73,42 @@ template <class Number>
 ///
 ///     static_assert(sin(q16_16(1)) == q16_16(0.84147098480789650665));
 ///     static_assert(sin(q16_16(-32768)).raw() == -60808);  // -60807.99
-template <class Raw, int F, policy P>
-requires detail::has_radians<Raw, F>
-[[nodiscard]] constexpr number<Raw, F, P> sin(number<Raw, F, P> angle) noexcept {
-  return number<Raw, F, P>::from_raw(static_cast<Raw>(detail::nearest_sine<F>(angle.raw(), 0)));
+template <class Raw, int Point, policy Rules>
+requires detail::has_radians<Raw, Point>
+[[nodiscard]] constexpr number<Raw, Point, Rules> sin(number<Raw, Point, Rules> angle) noexcept {
+  return number<Raw, Point, Rules>::from_raw(
+      static_cast<Raw>(detail::nearest_sine<Point>(angle.raw(), 0)));
 }
 
 /// The number nearest to the cosine of any angle in radians, under every policy; there are no ties.
 ///
 ///     static_assert(cos(q16_16()) == q16_16(1) && cos(q16_16(-2)) == cos(q16_16(2)));
-template <class Raw, int F, policy P>
-requires detail::has_radians<Raw, F>
-[[nodiscard]] constexpr number<Raw, F, P> cos(number<Raw, F, P> angle) noexcept {
-  return number<Raw, F, P>::from_raw(
-      static_cast<Raw>(detail::nearest_sine<F>(angle.raw(), detail::quarter_turn)));
+template <class Raw, int Point, policy Rules>
+requires detail::has_radians<Raw, Point>
+[[nodiscard]] constexpr number<Raw, Point, Rules> cos(number<Raw, Point, Rules> angle) noexcept {
+  return number<Raw, Point, Rules>::from_raw(
+      static_cast<Raw>(detail::nearest_sine<Point>(angle.raw(), detail::quarter_turn)));
 }
 
-/// cos() and sin() of an angle in radians.
+/// sin() and cos() of an angle in radians.
 ///
-///     const auto [cos, sin] = fixproof::sin_cos(fixproof::q16_16(0.5));
-template <class Raw, int F, policy P>
-requires detail::has_radians<Raw, F>
-[[nodiscard]] constexpr cos_sin<number<Raw, F, P>> sin_cos(number<Raw, F, P> angle) noexcept {
-  return {cos(angle), sin(angle)};
+///     const auto [sin, cos] = fixproof::sin_cos(fixproof::q16_16(0.5));
+template <class Raw, int Point, policy Rules>
+requires detail::has_radians<Raw, Point>
+[[nodiscard]] constexpr sin_and_cos<number<Raw, Point, Rules>> sin_cos(
+    number<Raw, Point, Rules> angle) noexcept {
+  return {sin(angle), cos(angle)};
 }
 
 /// @cond
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares functions
 #define FIXED_REFUSED_ANGLE(name)                                                           \
-  template <class Number, class T>                                                          \
-  requires std::is_arithmetic_v<T> Number name(T)                                           \
+  template <class Number, class Type>                                                       \
+  requires std::is_arithmetic_v<Type> Number name(Type)                                     \
   FIXED_INSTEAD("angles are numbers in radians, " #name "(q16_16(0.5)); in degrees: " #name \
                 "_of_tenths<q16_16>(300)");                                                 \
-  template <class Number, class T>                                                          \
-  requires(!std::integral<T>) Number name##_of_tenths(T)                                    \
+  template <class Number, class Type>                                                       \
+  requires(!std::integral<Type>) Number name##_of_tenths(Type)                              \
       FIXED_INSTEAD("angles are whole tenths of a degree: " #name                           \
                     "_of_tenths<q16_16>(300) is for 30.0 degrees");
 FIXED_REFUSED_ANGLE(sin)

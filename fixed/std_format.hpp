@@ -95,13 +95,13 @@ class format_size {
 
   /// Returns the integer of any argument.
   struct visitor {
-    template <class T>
-    constexpr std::size_t operator()([[maybe_unused]] const T& x) const {
+    template <class Type>
+    constexpr std::size_t operator()([[maybe_unused]] const Type& x) const {
       // The standard library has no integer of 128 bits.
       constexpr bool is_integer = requires { x % x; };
-      if constexpr (is_integer && !std::is_same_v<T, bool> && !std::is_same_v<T, char>) {
-        if (x < T{0}) throw_error<Error>("the width or precision of a number is negative");
-        if (x > T{max_format_size}) {
+      if constexpr (is_integer && !std::is_same_v<Type, bool> && !std::is_same_v<Type, char>) {
+        if (x < Type{0}) throw_error<Error>("the width or precision of a number is negative");
+        if (x > Type{max_format_size}) {
           throw_error<Error>("the width or precision of a fixed-point number is above 1000000");
         }
         return static_cast<std::size_t>(x);
@@ -242,7 +242,7 @@ class format_reader {
 
 /// The common part of both formatters; Error is the library's format_error, Id the type of the
 /// index of an argument.
-template <class Raw, int FractionBits, policy P, class Error, class Id>
+template <class Raw, int FractionBits, policy Rules, class Error, class Id>
 class text_formatter {
  public:
   template <class Context>
@@ -251,7 +251,7 @@ class text_formatter {
   }
 
   template <class Context>
-  auto format(number<Raw, FractionBits, P> value, Context& context) const {
+  auto format(number<Raw, FractionBits, Rules> value, Context& context) const {
     text_style style = format_.style;
     style.precision = format_.precision.in(context);
     const std::size_t width = format_.width.in(context);
@@ -275,9 +275,9 @@ class text_formatter {
 }  // namespace fixproof::detail
 
 #if defined(__cpp_lib_format)
-template <class Raw, int FractionBits, fixproof::policy P>
-struct std::formatter<fixproof::number<Raw, FractionBits, P>, char>
-    : fixproof::detail::text_formatter<Raw, FractionBits, P, std::format_error, std::size_t> {};
+template <class Raw, int FractionBits, fixproof::policy Rules>
+struct std::formatter<fixproof::number<Raw, FractionBits, Rules>, char>
+    : fixproof::detail::text_formatter<Raw, FractionBits, Rules, std::format_error, std::size_t> {};
 #endif
 
 #endif
@@ -287,7 +287,7 @@ struct std::formatter<fixproof::number<Raw, FractionBits, P>, char>
 #if !defined(FMT_FORMAT_H_)
 #include <fmt/format.h>  // <fmt/core.h> alone has no fmt::format_error
 #endif
-template <class Raw, int FractionBits, fixproof::policy P>
-struct fmt::formatter<fixproof::number<Raw, FractionBits, P>, char>
-    : fixproof::detail::text_formatter<Raw, FractionBits, P, fmt::format_error, int> {};
+template <class Raw, int FractionBits, fixproof::policy Rules>
+struct fmt::formatter<fixproof::number<Raw, FractionBits, Rules>, char>
+    : fixproof::detail::text_formatter<Raw, FractionBits, Rules, fmt::format_error, int> {};
 #endif

@@ -32,11 +32,12 @@ inline constexpr std::size_t max_chars =
 ///     std::array<char, max_chars<q16_16>> text{};
 ///     const auto written = to_chars(text.data(), text.data() + text.size(), q16_16(-0.5));
 ///     const std::string_view half(text.data(), written.ptr);  // "-0.5"
-template <class Raw, int F, policy P>
-constexpr std::to_chars_result to_chars(char* first, char* last, number<Raw, F, P> value) noexcept {
-  std::array<char, detail::max_decimal_chars<Raw, F>> text{};
+template <class Raw, int Point, policy Rules>
+constexpr std::to_chars_result to_chars(char* first, char* last,
+                                        number<Raw, Point, Rules> value) noexcept {
+  std::array<char, detail::max_decimal_chars<Raw, Point>> text{};
   const char* begin = text.data();
-  const char* end = detail::write_decimal<F>(text.data(), value.raw());
+  const char* end = detail::write_decimal<Point>(text.data(), value.raw());
   if (last - first < end - begin) return {last, std::errc::value_too_large};
   return {std::copy(begin, end, first), std::errc{}};
 }
@@ -56,22 +57,22 @@ constexpr std::to_chars_result to_chars(char* first, char* last, number<Raw, F, 
 ///       return from_chars(text.data(), text.data() + text.size(), x).ptr == text.data() + 3 &&
 ///              x.raw() == 6554;
 ///     }());
-template <class Raw, int F, policy P>
+template <class Raw, int Point, policy Rules>
 constexpr std::from_chars_result from_chars(const char* first, const char* last,
-                                            number<Raw, F, P>& value) noexcept {
+                                            number<Raw, Point, Rules>& value) noexcept {
   std::optional<Raw> raw;
-  const char* end = detail::read_decimal<P.multiply, F>(first, last, raw);
+  const char* end = detail::read_decimal<Rules.multiply, Point>(first, last, raw);
   if (end == first) return {first, std::errc::invalid_argument};
   if (!raw) return {end, std::errc::result_out_of_range};
-  value = number<Raw, F, P>::from_raw(*raw);
+  value = number<Raw, Point, Rules>::from_raw(*raw);
   return {end, std::errc{}};
 }
 
 /// The exact value, as to_chars() writes it.
-template <class Raw, int F, policy P>
-std::string to_string(number<Raw, F, P> value) {
-  std::array<char, detail::max_decimal_chars<Raw, F>> text{};
-  return {text.data(), detail::write_decimal<F>(text.data(), value.raw())};
+template <class Raw, int Point, policy Rules>
+std::string to_string(number<Raw, Point, Rules> value) {
+  std::array<char, detail::max_decimal_chars<Raw, Point>> text{};
+  return {text.data(), detail::write_decimal<Point>(text.data(), value.raw())};
 }
 
 /// Writes the number in a field of width(), as for built-in numbers.
@@ -85,30 +86,30 @@ std::string to_string(number<Raw, F, P> value) {
 ///     std::ostringstream out;
 ///     out << std::fixed << std::setprecision(2) << q16_16(2.625) << ' ' << q16_16(-0.125);
 ///     const bool nearest_or_even = out.str() == "2.62 -0.12";
-template <class Traits, class Raw, int F, policy P>
+template <class Traits, class Raw, int Point, policy Rules>
 std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
-                                             number<Raw, F, P> value) {
-  const std::string text = detail::stream_text<F>(out, value.raw());
+                                             number<Raw, Point, Rules> value) {
+  const std::string text = detail::stream_text<Point>(out, value.raw());
   return out << std::basic_string_view<char, Traits>(text.data(), text.size());
 }
 
 /// Skips white space and reads what from_chars() reads, with the decimal point of the stream's
 /// locale in place of '.'. On an error it sets failbit and leaves the value unchanged. An `e` and
 /// the sign of an exponent must be followed by a digit: "1e" and "1e+" fail.
-template <class Traits, class Raw, int F, policy P>
+template <class Traits, class Raw, int Point, policy Rules>
 std::basic_istream<char, Traits>& operator>>(std::basic_istream<char, Traits>& in,
-                                             number<Raw, F, P>& value) {
+                                             number<Raw, Point, Rules>& value) {
   const typename std::basic_istream<char, Traits>::sentry ready(in);
   if (!ready) return in;
-  detail::decimal_reader<Raw, F> reader(
+  detail::decimal_reader<Raw, Point> reader(
       std::use_facet<std::numpunct<char>>(in.getloc()).decimal_point());
   for (auto next = in.peek(); !Traits::eq_int_type(next, Traits::eof()); next = in.peek()) {
     if (!reader.take(Traits::to_char_type(next))) break;
     in.get();
   }
-  const auto raw = reader.complete() ? reader.template value<P.multiply>() : std::nullopt;
+  const auto raw = reader.complete() ? reader.template value<Rules.multiply>() : std::nullopt;
   if (raw) {
-    value = number<Raw, F, P>::from_raw(*raw);
+    value = number<Raw, Point, Rules>::from_raw(*raw);
   } else {
     in.setstate(std::ios_base::failbit);
   }

@@ -11,19 +11,19 @@
 
 namespace fixproof {
 
-/// Whether T is a fixproof::number of any format and policy, const or not. A reference to one is
+/// Whether Type is a fixproof::number of any format and policy, const or not. A reference to one is
 /// not.
 ///
 ///     static_assert(is_number_v<q16_16> && is_number_v<const q2_62> && !is_number_v<int>);
-template <class T>
-inline constexpr bool is_number_v = detail::is_number<std::remove_cv_t<T>>;
+template <class Type>
+inline constexpr bool is_number_v = detail::is_number<std::remove_cv_t<Type>>;
 
 /// A fixproof::number of any format and policy.
 ///
 ///     const auto twice = [](any_number auto x) { return x + x; };
 ///     static_assert(twice(q16_16(1.5)) == 3 && twice(u8_8(100)) == 200);
-template <class T>
-concept any_number = is_number_v<T>;
+template <class Type>
+concept any_number = is_number_v<Type>;
 
 }  // namespace fixproof
 
@@ -33,15 +33,15 @@ concept any_number = is_number_v<T>;
 ///
 ///     static_assert(std::is_same_v<std::common_type_t<q16_16, int>, q16_16>);
 ///     static_assert(std::is_same_v<std::common_type_t<long, q8_8, int>, q8_8>);
-template <class Raw, int FractionBits, fixproof::policy P, fixproof::detail::integer Int>
-struct std::common_type<fixproof::number<Raw, FractionBits, P>, Int> {
+template <class Raw, int FractionBits, fixproof::policy Rules, fixproof::detail::integer Int>
+struct std::common_type<fixproof::number<Raw, FractionBits, Rules>, Int> {
   /// The number.
-  using type = fixproof::number<Raw, FractionBits, P>;
+  using type = fixproof::number<Raw, FractionBits, Rules>;
 };
 
 /// The same, with the integer first.
-template <fixproof::detail::integer Int, class Raw, int FractionBits, fixproof::policy P>
-struct std::common_type<Int, fixproof::number<Raw, FractionBits, P>> {
+template <fixproof::detail::integer Int, class Raw, int FractionBits, fixproof::policy Rules>
+struct std::common_type<Int, fixproof::number<Raw, FractionBits, Rules>> {
   /// The number.
-  using type = fixproof::number<Raw, FractionBits, P>;
+  using type = fixproof::number<Raw, FractionBits, Rules>;
 };

@@ -2,6 +2,7 @@
 /// Exact intermediate results: a * b / c, the ratio of two integers, and sums of products.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -35,24 +36,24 @@ using numerator_t = std::conditional_t<
 /// divisor, and only a zero divisor is a divide error.
 ///
 ///     static_assert(mul_div(q16_16(30000), q16_16(20000), q16_16(25000)) == q16_16(24000));
-template <class Raw, int F, policy P>
-[[nodiscard]] constexpr number<Raw, F, P> mul_div(
-    number<Raw, F, P> a, number<Raw, F, P> b,
-    number<Raw, F, P> c) noexcept(number<Raw, F, P>::divide_never_throws) {
-  using N = number<Raw, F, P>;
+template <class Raw, int Point, policy Rules>
+[[nodiscard]] constexpr number<Raw, Point, Rules> mul_div(
+    number<Raw, Point, Rules> a, number<Raw, Point, Rules> b,
+    number<Raw, Point, Rules> c) noexcept(number<Raw, Point, Rules>::divide_never_throws) {
+  using Number = number<Raw, Point, Rules>;
   using wide = detail::numerator_t<Raw>;
   const wide product = wide{a.raw()} * wide{b.raw()};
   if (c.raw() == 0) {
-    if constexpr (!N::divide_never_throws) {
-      using operand = detail::operand<Raw, F>;
+    if constexpr (!Number::divide_never_throws) {
+      using operand = detail::operand<Raw, Point>;
       detail::raise<divide_error>("divide error", "mul_div", operand{a.raw()}, operand{b.raw()},
                                   operand{c.raw()});
     }
-    return N::from_raw(detail::by_zero<Raw>(product < wide{0}, product == wide{0}));
+    return Number::from_raw(detail::by_zero<Raw>(product < wide{0}, product == wide{0}));
   }
-  return N::from_raw(detail::narrow<P.quotient_range(), Raw>(
-      detail::quick_ratio<P.divide>(product, wide{c.raw()}),
-      [&] { detail::raise_overflow<F>("mul_div", a.raw(), b.raw(), c.raw()); }));
+  return Number::from_raw(detail::narrow<Rules.quotient_range(), Raw>(
+      detail::quick_ratio<Rules.divide>(product, wide{c.raw()}),
+      [&] { detail::raise_overflow<Point>("mul_div", a.raw(), b.raw(), c.raw()); }));
 }
 
 /// The quotient of two integers as a number, rounded once by policy::divide. The policy handles
@@ -63,9 +64,9 @@ template <class Raw, int F, policy P>
 template <class Number, detail::integer Int>
 [[nodiscard]] constexpr Number ratio(Int n, Int d) noexcept(Number::divide_never_throws) {
   using raw = typename Number::raw_type;
-  constexpr int F = Number::fraction_bits;
-  using wide =
-      detail::signed_t<detail::larger(detail::signed_bits<Int> + F + 1, detail::signed_bits<raw>)>;
+  constexpr int Point = Number::fraction_bits;
+  using wide = detail::signed_t<detail::larger(detail::signed_bits<Int> + Point + 1,
+                                               detail::signed_bits<raw>)>;
   if (d == 0) {
     if constexpr (!Number::divide_never_throws) {
       detail::raise<divide_error>("divide error", "ratio", n, d);
@@ -73,54 +74,67 @@ template <class Number, detail::integer Int>
     return Number::from_raw(detail::by_zero<raw>(n < 0, n == 0));
   }
   return Number::from_raw(detail::narrow<Number::rules.quotient_range(), raw>(
-      detail::rounded_ratio<Number::rules.divide>(wide{n} << F, wide{d}),
+      detail::rounded_ratio<Number::rules.divide>(wide{n} << Point, wide{d}),
       [&] { detail::raise<overflow_error>("overflow", "ratio", n, d); }));
 }
 
-/// A sum of numbers and products that is exact until result() rounds it once. It has room for 2^62
-/// terms of any value.
+/// A sum of numbers and products that is exact until result() rounds it once.
+///
+/// It has room for 2^62 terms of any value, or for Terms. A program that promises few terms gets a
+/// sum of 32 or 64 bits, if that holds them all. Beyond Terms, the sum is still exact as long as it
+/// fits. A sum that does not fit executes a trap instruction, under every policy, and in a constant
+/// expression it does not compile.
 ///
 ///     static_assert([] {
 ///       accumulator<q2_30> sum;  // a biquad filter with coefficients beyond 1
 ///       sum.add_product(q2_30(1.75), q2_30(1.5)).subtract_product(q2_30(1.25), q2_30(1.5));
 ///       return sum.result() == q2_30(0.75);
 ///     }());
-template <class Number>
+///     static_assert(sizeof(accumulator<q1_15>) == 16 && sizeof(accumulator<q1_15, 8>) == 8);
+template <class Number, std::uint64_t Terms = std::uint64_t{1} << 62>
 class accumulator {
+  static_assert(Terms > 0 && Terms <= std::uint64_t{1} << 62, "an accumulator has 1 to 2^62 terms");
   using raw = typename Number::raw_type;
   static constexpr int fraction = Number::fraction_bits;
-  using wide = detail::signed_t<2 * detail::signed_bits<raw> + 64>;
+  // No term is above 2^term_bits, the square of the lowest number or that number as a term.
+  static constexpr int term_bits =
+      detail::signed_bits<raw> - 1 + detail::larger(detail::signed_bits<raw> - 1, fraction);
+  // Terms of them are below 2^few_bits. Two bits more leave room for the sign, and for a term or
+  // for rounding before the sum is checked. A sum of more than 64 bits has room for 2^62 terms.
+  static constexpr int few_bits = term_bits + std::bit_width(Terms);
+  static constexpr bool is_checked = few_bits <= 62;
+  using wide = detail::signed_t<is_checked ? few_bits + 2 : term_bits + 64>;
+  using product = detail::term_t<raw, raw, wide>;
+  static constexpr int sum_bits = is_checked ? detail::bits_of<wide> - 1 : term_bits + 64;
 
  public:
   /// Zero.
   constexpr accumulator() noexcept = default;
 
   /// Adds a number.
-  constexpr accumulator& add(Number x) noexcept {
-    sum_ = sum_ + (wide{x.raw()} << fraction);
-    return *this;
-  }
+  constexpr accumulator& add(Number x) noexcept { return plus(wide{x.raw()} << fraction); }
   /// Subtracts a number.
-  constexpr accumulator& subtract(Number x) noexcept {
-    sum_ = sum_ - (wide{x.raw()} << fraction);
-    return *this;
-  }
+  constexpr accumulator& subtract(Number x) noexcept { return minus(wide{x.raw()} << fraction); }
   /// Adds a * b without rounding it.
   constexpr accumulator& add_product(Number a, Number b) noexcept {
-    sum_ = sum_ + wide{a.raw()} * wide{b.raw()};
-    return *this;
+    return plus(product{a.raw()} * product{b.raw()});
   }
   /// Subtracts a * b without rounding it.
   constexpr accumulator& subtract_product(Number a, Number b) noexcept {
-    sum_ = sum_ - wide{a.raw()} * wide{b.raw()};
-    return *this;
+    return minus(product{a.raw()} * product{b.raw()});
   }
 
   /// The sum, rounded once by policy::multiply. The policy handles overflow, as for products.
   [[nodiscard]] constexpr Number result() const noexcept(Number::multiply_never_throws) {
-    return Number::from_raw(detail::narrow<Number::rules.product_range(), raw>(
-        detail::shift_right<Number::rules.multiply>(sum_, fraction),
-        [] { detail::raise<overflow_error>("overflow", "accumulator::result"); }));
+    const auto fail = [] { detail::raise<overflow_error>("overflow", "accumulator::result"); };
+    // The shifts of a wide_integer take hundreds of instructions.
+    if constexpr (std::is_same_v<wide, detail::wide_integer<2>> &&
+                  detail::has_wide_sum<raw, fraction>) {
+      return detail::rounded_sum<Number>(detail::wide_sum(sum_.word(0), sum_.word(1)), fail);
+    } else {
+      return Number::from_raw(detail::narrow<Number::rules.product_range(), raw>(
+          detail::shift_right<Number::rules.multiply>(sum_, fraction), fail));
+    }
   }
 
   /// The sum as a To, rounded once by policy::multiply of To. The policy of To handles overflow, as
@@ -131,14 +145,34 @@ class accumulator {
   template <class To>
   requires detail::is_plain_number<To>
   [[nodiscard]] constexpr To result() const noexcept(To::multiply_never_throws) {
-    // There is room for 2^62 terms, each at most 2^(2 signed_bits - 1).
-    constexpr int bits = 2 * detail::signed_bits<raw> + 63;
     return To::from_raw(detail::narrow<To::rules.product_range(), typename To::raw_type>(
-        detail::rescaled<To, 2 * fraction, bits>(sum_),
+        detail::rescaled<To, 2 * fraction, sum_bits>(sum_),
         [] { detail::raise<overflow_error>("overflow", "accumulator::result"); }));
   }
 
  private:
+  template <class Term>
+  constexpr accumulator& plus(const Term& term) noexcept {
+    sum_ += term;
+    return checked();
+  }
+  template <class Term>
+  constexpr accumulator& minus(const Term& term) noexcept {
+    sum_ -= term;
+    return checked();
+  }
+
+  /// Stops at a sum whose two upper bits differ. Looks at its upper word alone, because processors
+  /// of 32 bits compare 64 bits slowly.
+  constexpr accumulator& checked() noexcept {
+    if constexpr (is_checked) {
+      constexpr int below = detail::bits_of<wide> - 32;
+      const auto upper = static_cast<std::uint32_t>(sum_ >> below);
+      if ((upper + (std::uint32_t{1} << 30)) >> 31 != 0) __builtin_trap();
+    }
+    return *this;
+  }
+
   wide sum_{0};
 };
 

@@ -17,6 +17,8 @@ constexpr oracle::Rounding oracle_rule(fixproof::rounding rule) {
       return oracle::Rounding::floor;
     case fixproof::rounding::half_even:
       return oracle::Rounding::half_even;
+    case fixproof::rounding::ceiling:
+      return oracle::Rounding::ceiling;
     case fixproof::rounding::truncate:
       break;
   }

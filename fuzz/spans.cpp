@@ -195,8 +195,8 @@ void write_expected(const Layout& layout, std::span<const N> from, const Rows<N>
         put(0, fixproof::cos(x(0)));
         break;
       case Call::sin_cos:
-        put(0, fixproof::cos(x(0)));
-        put(1, fixproof::sin(x(0)));
+        put(0, fixproof::sin(x(0)));
+        put(1, fixproof::cos(x(0)));
         break;
       case Call::dot:  // writes no span
         break;

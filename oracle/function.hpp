@@ -11,7 +11,7 @@
 
 namespace oracle {
 
-/// The functions of real numbers; the last three are of two operands.
+/// The functions of real numbers; the last five are of two operands.
 #define ORACLE_ENUMERATOR(name) name,
 enum class Function { ORACLE_FUNCTIONS(ORACLE_ENUMERATOR) };
 #undef ORACLE_ENUMERATOR
@@ -29,7 +29,8 @@ enum class Function { ORACLE_FUNCTIONS(ORACLE_ENUMERATOR) };
 /// nearest, ties by `ties`. Empty outside the domain; a pole counts as outside. Results whose
 /// magnitude is at least 2^64 ulps are that.
 ///
-/// Computes with 334 bits. Integers decide whether a result within 2^-200 ulps of a tie is one.
+/// Computes with 334 bits if the operands and the fraction have at most 33, and otherwise with 667.
+/// Integers decide whether a result within 2^-200 ulps of a tie is one.
 /// @throws std::range_error if it is not
 [[nodiscard]] std::optional<Integer> nearest(Function function, const Integer& x, const Integer& y,
                                              int fraction_bits, Rounding ties);

@@ -29,11 +29,23 @@
   X(atan)                          \
   X(cbrt)                          \
   X(rsqrt)                         \
-  X(reciprocal)
+  X(reciprocal)                    \
+  X(exp10)                         \
+  X(asinh)                         \
+  X(acosh)                         \
+  X(atanh)                         \
+  X(asin_in_degrees)               \
+  X(acos_in_degrees)               \
+  X(atan_in_degrees)               \
+  X(asin_in_turns)                 \
+  X(acos_in_turns)                 \
+  X(atan_in_turns)
 #define ORACLE_FUNCTIONS_OF_TWO(X) \
   X(atan2)                         \
   X(hypot)                         \
-  X(pow)
+  X(pow)                           \
+  X(atan2_in_degrees)              \
+  X(atan2_in_turns)
 #define ORACLE_FUNCTIONS(X)  \
   ORACLE_FUNCTIONS_OF_ONE(X) \
   ORACLE_FUNCTIONS_OF_TWO(X)

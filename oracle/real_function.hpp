@@ -29,7 +29,15 @@ bool in_domain(Function function, const Int& x, const Int& y, int fraction_bits)
       return fraction_bits < 2 || !is_odd_multiple(one / 4);
     case Function::asin:
     case Function::acos:
+    case Function::asin_in_degrees:
+    case Function::acos_in_degrees:
+    case Function::asin_in_turns:
+    case Function::acos_in_turns:
       return x >= -one && x <= one;
+    case Function::acosh:
+      return x >= one;
+    case Function::atanh:
+      return x > -one && x < one;
     case Function::reciprocal:
       return x != 0;
     case Function::pow:
@@ -42,11 +50,14 @@ bool in_domain(Function function, const Int& x, const Int& y, int fraction_bits)
 /// The function in the arithmetic of Real. An angle in degrees or turns is reduced to a turn first.
 template <class Real>
 Real real_function(Function function, const Real& x, const Real& y) {
-  using std::acos, std::asin, std::atan, std::atan2, std::cbrt, std::cos, std::cosh, std::exp,
-      std::expm1, std::fmod, std::log, std::log1p, std::pow, std::sin, std::sinh, std::sqrt,
-      std::tan, std::tanh;
+  using std::acos, std::acosh, std::asin, std::asinh, std::atan, std::atan2, std::atanh, std::cbrt,
+      std::cos, std::cosh, std::exp, std::expm1, std::fmod, std::log, std::log1p, std::pow,
+      std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
   static const Real pi = acos(Real(-1));
   const auto degrees = [&] { return fmod(x, Real(360)) * pi / 180; };
+  const auto angle = [&] { return x == 0 && y == 0 ? Real(0) : Real(atan2(x, y)); };
+  const auto in_degrees = [&](const Real& radians) { return Real(radians * 180 / pi); };
+  const auto in_turns = [&](const Real& radians) { return Real(radians / (2 * pi)); };
   const auto turns = [&] { return fmod(x, Real(1)) * 2 * pi; };
   switch (function) {
     case Function::exp2:
@@ -100,7 +111,31 @@ Real real_function(Function function, const Real& x, const Real& y) {
     case Function::reciprocal:
       return 1 / x;
     case Function::atan2:
-      return x == 0 && y == 0 ? Real(0) : atan2(x, y);
+      return angle();
+    case Function::atan2_in_degrees:
+      return in_degrees(angle());
+    case Function::atan2_in_turns:
+      return in_turns(angle());
+    case Function::exp10:
+      return pow(Real(10), x);
+    case Function::asinh:
+      return asinh(x);
+    case Function::acosh:
+      return acosh(x);
+    case Function::atanh:
+      return atanh(x);
+    case Function::asin_in_degrees:
+      return in_degrees(asin(x));
+    case Function::acos_in_degrees:
+      return in_degrees(acos(x));
+    case Function::atan_in_degrees:
+      return in_degrees(atan(x));
+    case Function::asin_in_turns:
+      return in_turns(asin(x));
+    case Function::acos_in_turns:
+      return in_turns(acos(x));
+    case Function::atan_in_turns:
+      return in_turns(atan(x));
     case Function::hypot:
       return sqrt(x * x + y * y);
     case Function::pow:

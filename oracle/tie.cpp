@@ -41,6 +41,19 @@ bool is_power_of_reals(const Integer& x, const Integer& y, const Integer& twice,
   return is_power(root, p, twice);
 }
 
+/// Whether an angle of some eighths of a turn is twice / 2 ulps.
+bool is_eighths(int eighths, const Integer& twice, std::size_t fraction_bits) {
+  return 4 * abs(twice) == eighths * two_to(fraction_bits);
+}
+
+/// Eighths of a turn in the angle of (x, y), if that is a multiple; else 0.
+int eighths_of(const Integer& y, const Integer& x) {
+  if (y == 0) return x < 0 ? 4 : 0;
+  if (x == 0) return 2;
+  if (abs(x) != abs(y)) return 0;
+  return x < 0 ? 3 : 1;
+}
+
 }  // namespace
 
 bool is_tie(Function function, const Integer& x, const Integer& y, const Integer& twice,
@@ -58,6 +71,17 @@ bool is_tie(Function function, const Integer& x, const Integer& y, const Integer
       return bits == 0 && (abs(x) % 180 == 30 || abs(x) % 180 == 150);
     case Function::cos_of_degrees:
       return bits == 0 && (abs(x) % 180 == 60 || abs(x) % 180 == 120);
+    // By the same theorem, only multiples of an eighth of a turn are rational and have a dyadic
+    // sine, cosine or tangent, but for a sixth and a twelfth, which are no ties.
+    case Function::atan_in_turns:
+      return is_eighths(eighths_of(x, two_to(bits)), twice, bits);
+    case Function::atan2_in_turns:
+      return is_eighths(eighths_of(x, y), twice, bits);
+    case Function::asin_in_turns:
+      return abs(x) == two_to(bits) && is_eighths(2, twice, bits);
+    case Function::acos_in_turns:
+      return (x == 0 && is_eighths(2, twice, bits)) ||
+             (x == -two_to(bits) && is_eighths(4, twice, bits));
     case Function::rsqrt:
       return twice * twice * x == two_to(3 * bits + 2);
     case Function::reciprocal:

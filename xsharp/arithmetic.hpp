@@ -89,7 +89,7 @@ struct Arithmetic<fixproof::number<std::int32_t, 16, P>> {
     return P.divisor == fixproof::divisor_width::whole_part;
   }
   static constexpr Turn<N> turn(std::int32_t tenths) {
-    const auto [cos, sin] = fixproof::sin_cos_of_tenths<N>(tenths);
+    const auto [sin, cos] = fixproof::sin_cos_of_tenths<N>(tenths);
     return {cos, sin};
   }
   static constexpr N midpoint(N a, N b) { return N::from_raw(std::midpoint(a.raw(), b.raw())); }

@@ -177,7 +177,7 @@ void add_eval(CLI::App& app, int& status) {
   add_format_options(
       *command, options->formats,
       ". Results round half up and wrap, fmod and remainder (signed formats) are exact, and "
-      "functions round to nearest and saturate, in at most 32 bits. type answers in named formats, "
+      "functions round to nearest and saturate. type answers in named formats, "
       "oracle in others");
   options->variant.add_to(*command);
   command->footer(
@@ -185,7 +185,7 @@ void add_eval(CLI::App& app, int& status) {
 (docs/formats.md has the rule). Spaces, tabs or commas separate them. Results are words:
   mul, div   a b                             -> one word, DE for a divide error
   add, sub   a b                             -> one word
-  pow, hypot, atan2   a b                    -> one word; atan2 takes y x
+  pow, hypot, atan2   a b                    -> one word; atan2 and its relatives take y x
   fmod, remainder   a b                      -> one word, DE for a zero divisor
   mul_div    a b c                           -> the word of a x b / c, DE for a zero divisor
   hypot3     a b c                           -> one word

@@ -33,7 +33,7 @@ namespace {
 
 /// Shorter names of operations that only this command takes.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> short_names{
-    {{"muldiv", "mul_div"}, {"sin_cos", "cossin"}, {"transform", "xformvec"}}};
+    {{"muldiv", "mul_div"}, {"cos_sin", "cossin"}, {"transform", "xformvec"}}};
 
 cases::Operation operation_of(std::string_view name) {
   for (const auto& [shorter, known] : short_names) {
@@ -43,7 +43,7 @@ cases::Operation operation_of(std::string_view name) {
   if (!is_whole(operation) && (!check::is_judged(operation) || cases::is_conversion(operation) ||
                                cases::is_sum(operation))) {
     throw support::UsageError(fmt::format(
-        "--as {}: choose mul, div, sqrt, add, sub, muldiv, sin_cos, transform, or a function of "
+        "--as {}: choose mul, div, sqrt, add, sub, muldiv, cos_sin, transform, or a function of "
         "docs/functions.md; ? tries them",
         name));
   }

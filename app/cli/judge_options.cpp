@@ -89,7 +89,7 @@ void JudgeOptions::add_to(CLI::App& command) {
   command
       .add_option(
           "--as", operation,
-          "what the routine computes: mul, div, sqrt, add, sub, muldiv, sin_cos, transform, a "
+          "what the routine computes: mul, div, sqrt, add, sub, muldiv, cos_sin, transform, a "
           "function of docs/functions.md, or ? to find out; required unless --list or "
           "--against-listing is given")
       ->check(not_empty());
@@ -175,7 +175,7 @@ empty, and DS, SS and the x87's control word as they were.
   mul, div, add, sub  two numbers          -> a number
   sqrt                a number             -> a number
   muldiv              a, b, c              -> a * b / c
-  sin_cos             tenths of a degree (16 bits) -> cosine and sine, or pointers to them
+  cos_sin             tenths of a degree (16 bits) -> cosine and sine, or pointers to them
   transform           pointers to 12, 3 and 3 numbers: matrix, vector, result
 
 --run judges a program in any language instead: it reads the lines of `fixproof gen` and writes one

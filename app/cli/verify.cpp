@@ -325,9 +325,8 @@ void add_verify(CLI::App& app, int& status) {
   ./libmine.so:my_mul     your function: int32_t my_mul(int32_t a, int32_t b);
                   my_mul[] takes arrays. docs/verify.md has the signatures.
 With --format, oracle, fast (up to 32 bits) and type (the named formats) answer add, sub, mul, div,
-sqrt, decimal and binary64 and, if they are named, the functions of docs/functions.md: fmod, mul_div
-and remainder (signed formats) in every format, the others in up to 32 bits. With --to, oracle
-answers all but the round trips decimal and binary64, and type what docs/functions.md lists, between
+sqrt, decimal and binary64 and, if they are named, the functions of docs/functions.md (remainder in
+signed formats). With --to, oracle answers all but the round trips decimal and binary64, and type what docs/functions.md lists, between
 q8_8, q24_8, q16_16, q2_30 and u16_16.
 Levels 1 and 2 run constructed and random cases. Level 3 is exhaustive: multiply and divide
 for all pairs of 8.8 words, the unary operations for all words, with fast in place of oracle.

@@ -48,7 +48,7 @@ std::optional<Switched> Arithmetic<Switched>::divide(N n, N d) {
 }
 
 Turn<Switched> Arithmetic<Switched>::turn(std::int32_t tenths) {
-  const auto [cos, sin] = fixproof::sin_cos_of_tenths<fixproof::q16_16>(tenths);
+  const auto [sin, cos] = fixproof::sin_cos_of_tenths<fixproof::q16_16>(tenths);
   return {N::of(cos), N::of(sin)};
 }
 

@@ -58,36 +58,39 @@
 namespace fixproof::batch {
 
 /// out[i] = a[i] * b[i].
-template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
-          detail::output_of<detail::element_t<A>> Out>
+template <detail::number_range First, detail::input_of<detail::element_t<First>> Second,
+          detail::output_of<detail::element_t<First>> Out>
 FIXED_ALWAYS_INLINE report
-multiply(const A& a, const B& b, Out&& out,
-         const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
-  using N = detail::element_t<A>;
+multiply(const First& a, const Second& b, Out&& out,
+         const options& how = {}) noexcept(detail::element_t<First>::multiply_never_throws) {
+  using Number = detail::element_t<First>;
   const std::size_t count = detail::batch_length(how, a, b, out);
-  return detail::run_batch<4, detail::has_lanes<N>, N::rules.product_range()>(
+  return detail::run_batch<4, detail::has_lanes<Number>, Number::rules.product_range()>(
       "multiply", how, count,
       [](auto on, auto... args) {
-        return on.template run<typename decltype(on)::template products<N>>(args...);
+        return on.template run<typename decltype(on)::template products<Number>>(args...);
       },
-      [](std::size_t i, const N* p, const N* q) { return detail::multiplied(p[i], q[i]); },
+      [](std::size_t i, const Number* p, const Number* q) {
+        return detail::multiplied(p[i], q[i]);
+      },
       detail::start_of(out), detail::start_of(a), detail::start_of(b));
 }
 
 /// out[i] = mul_add(a[i], b[i], c[i]): the product and the sum, rounded once.
-template <detail::number_range A, detail::input_of<detail::element_t<A>> B,
-          detail::input_of<detail::element_t<A>> C, detail::output_of<detail::element_t<A>> Out>
+template <detail::number_range First, detail::input_of<detail::element_t<First>> Second,
+          detail::input_of<detail::element_t<First>> Third,
+          detail::output_of<detail::element_t<First>> Out>
 FIXED_ALWAYS_INLINE report
-mul_add(const A& a, const B& b, const C& c, Out&& out,
-        const options& how = {}) noexcept(detail::element_t<A>::multiply_never_throws) {
-  using N = detail::element_t<A>;
+mul_add(const First& a, const Second& b, const Third& c, Out&& out,
+        const options& how = {}) noexcept(detail::element_t<First>::multiply_never_throws) {
+  using Number = detail::element_t<First>;
   const std::size_t count = detail::batch_length(how, a, b, c, out);
-  return detail::run_batch<4, detail::has_mul_add_lanes<N>, N::rules.product_range()>(
+  return detail::run_batch<4, detail::has_mul_add_lanes<Number>, Number::rules.product_range()>(
       "mul_add", how, count,
       [](auto on, auto... args) {
-        return on.template run<typename decltype(on)::template mul_adds<N>>(args...);
+        return on.template run<typename decltype(on)::template mul_adds<Number>>(args...);
       },
-      [](std::size_t i, const N* x, const N* y, const N* z) {
+      [](std::size_t i, const Number* x, const Number* y, const Number* z) {
         return detail::multiplied_and_added(x[i], y[i], z[i]);
       },
       detail::start_of(out), detail::start_of(a), detail::start_of(b), detail::start_of(c));
@@ -100,48 +103,50 @@ template <detail::number_range Numerators, detail::input_of<detail::element_t<Nu
 FIXED_ALWAYS_INLINE report
 divide(const Numerators& n, const Divisors& d, Out&& out,
        const options& how = {}) noexcept(detail::element_t<Numerators>::divide_never_throws) {
-  using N = detail::element_t<Numerators>;
-  constexpr policy P = N::rules;
+  using Number = detail::element_t<Numerators>;
+  constexpr policy Rules = Number::rules;
   const std::size_t count = detail::batch_length(how, n, d, out);
-  return detail::run_batch<1, detail::has_quotient_lanes<N>, P.quotient_range(), P.fault>(
+  return detail::run_batch<1, detail::has_quotient_lanes<Number>, Rules.quotient_range(),
+                           Rules.fault>(
       "divide", how, count,
       [](auto on, auto... args) {
-        return on.template run<typename decltype(on)::template quotients<N>>(args...);
+        return on.template run<typename decltype(on)::template quotients<Number>>(args...);
       },
       detail::quotient_element{}, detail::start_of(out), detail::start_of(n), detail::start_of(d));
 }
 
 /// out[i] = sqrt(x[i]). Counts negative operands under every policy.
-template <detail::number_range X, detail::output_of<detail::element_t<X>> Out>
-FIXED_ALWAYS_INLINE report
-sqrt(const X& x, Out&& out, const options& how = {}) noexcept(detail::element_t<X>::never_throws) {
-  using N = detail::element_t<X>;
+template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
+FIXED_ALWAYS_INLINE report sqrt(const Xs& x, Out&& out, const options& how = {}) noexcept(
+    detail::element_t<Xs>::never_throws) {
+  using Number = detail::element_t<Xs>;
   const std::size_t count = detail::batch_length(how, x, out);
-  return detail::run_batch<1, detail::has_root_lanes<N>, N::rules.range>(
+  return detail::run_batch<1, detail::has_root_lanes<Number>, Number::rules.range>(
       "sqrt", how, count,
       [](auto on, auto... args) {
-        return on.template run<
-            typename decltype(on)::template roots<typename N::raw_type, N::fraction_bits>>(args...);
+        return on.template run<typename decltype(on)::template roots<typename Number::raw_type,
+                                                                     Number::fraction_bits>>(
+            args...);
       },
-      [](std::size_t i, const N* from) { return detail::rooted(from[i]); }, detail::start_of(out),
-      detail::start_of(x));
+      [](std::size_t i, const Number* from) { return detail::rooted(from[i]); },
+      detail::start_of(out), detail::start_of(x));
 }
 
 /// fixproof::dot(a, b): the sum of a[i] * b[i], exact until it is rounded once. Only the final sum
 /// can be out of range; the policy decides the result. Throws as fixproof::dot does.
-template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
-[[nodiscard]] FIXED_ALWAYS_INLINE detail::element_t<A> dot(
-    const A& a, const B& b,
-    path use = best()) noexcept(detail::element_t<A>::multiply_never_throws) {
-  using N = detail::element_t<A>;
-  if constexpr (!detail::has_lanes<N> ||
-                !detail::has_wide_sum<typename N::raw_type, N::fraction_bits>) {
+template <detail::number_range First, detail::input_of<detail::element_t<First>> Second>
+[[nodiscard]] FIXED_ALWAYS_INLINE detail::element_t<First> dot(
+    const First& a, const Second& b,
+    path use = best()) noexcept(detail::element_t<First>::multiply_never_throws) {
+  using Number = detail::element_t<First>;
+  if constexpr (!detail::has_lanes<Number> ||
+                !detail::has_wide_sum<typename Number::raw_type, Number::fraction_bits>) {
     return fixproof::dot(a, b);
   } else {
-    const N* const x = std::data(a);
-    const N* const y = std::data(b);
+    const Number* const x = std::data(a);
+    const Number* const y = std::data(b);
     const std::size_t count = detail::shortest(a, b);
-    std::conditional_t<detail::rounds_modulo<N>, std::uint64_t, detail::wide_sum> sum{};
+    std::conditional_t<detail::rounds_modulo<Number>, std::uint64_t, detail::wide_sum> sum{};
     const auto each = [=] { return fixproof::dot(std::span(x, count), std::span(y, count)); };
     constexpr std::size_t few = detail::sure_of_masks ? 1 : 4;  // that are faster one by one
     if (count <= few) return each();
@@ -151,10 +156,12 @@ template <detail::number_range A, detail::input_of<detail::element_t<A>> B>
       return count;
     });
     if (done == 0) return detail::apart(each);
-    if constexpr (detail::rounds_modulo<N>) {
-      return detail::rounded_sum<N>(sum);
+    if constexpr (detail::rounds_modulo<Number>) {
+      return detail::rounded_sum<Number>(sum);
     } else {
-      return detail::rounded_sum<N>(sum, count);
+      return detail::rounded_sum<Number>(sum, [count] {
+        detail::raise<overflow_error>("overflow", "dot", detail::term_count{count});
+      });
     }
   }
 }
@@ -164,7 +171,7 @@ FIXED_REFUSED_RANGES(report, multiply, "options")
 FIXED_REFUSED_RANGES(report, mul_add, "options")
 FIXED_REFUSED_RANGES(report, divide, "options")
 FIXED_REFUSED_RANGES(report, sqrt, "options")
-FIXED_REFUSED_RANGES(detail::element_t<X>, dot, "a path")
+FIXED_REFUSED_RANGES(detail::element_t<Xs>, dot, "a path")
 /// @endcond
 
 }  // namespace fixproof::batch

@@ -36,37 +36,37 @@ concept float_output = float_range<Range> && written<Range, element_t<Range>>;
 
 namespace fixproof::batch {
 
-/// out[i] = N(x[i]), for float or double. Under every policy, NaN counts as a domain error. Under
-/// overflow::saturate and overflow::trap, infinities and other values out of range count as
+/// out[i] = Number(x[i]), for float or double. Under every policy, NaN counts as a domain error.
+/// Under overflow::saturate and overflow::trap, infinities and other values out of range count as
 /// overflows.
-template <detail::float_range X, detail::number_range Out>
+template <detail::float_range Xs, detail::number_range Out>
 requires detail::output_of<Out, detail::element_t<Out>> FIXED_ALWAYS_INLINE report
-from_floats(const X& x, Out&& out, const options& how = {})
+from_floats(const Xs& x, Out&& out, const options& how = {})
 noexcept(detail::element_t<Out>::never_throws) {
-  using N = detail::element_t<Out>;
-  using Float = detail::element_t<X>;
+  using Number = detail::element_t<Out>;
+  using Float = detail::element_t<Xs>;
   const std::size_t count = detail::batch_length(how, x, out);
-  return detail::run_batch<1, detail::has_float_lanes<N>, N::rules.range>(
+  return detail::run_batch<1, detail::has_float_lanes<Number>, Number::rules.range>(
       "from_floats", how, count,
       [](auto on, auto... args) {
-        return on.template run<typename decltype(on)::template from_floats<N, Float>>(args...);
+        return on.template run<typename decltype(on)::template from_floats<Number, Float>>(args...);
       },
-      [](std::size_t i, const Float* from) { return detail::from_float<N>(from[i]); },
+      [](std::size_t i, const Float* from) { return detail::from_float<Number>(from[i]); },
       detail::start_of(out), detail::start_of(x));
 }
 
 /// out[i] = the float or double nearest to x[i], with ties to even, in every rounding mode of the
 /// processor.
-template <detail::number_range X, detail::float_output Out>
-FIXED_ALWAYS_INLINE void to_floats(const X& x, Out&& out, path use = best()) noexcept {
-  using N = detail::element_t<X>;
+template <detail::number_range Xs, detail::float_output Out>
+FIXED_ALWAYS_INLINE void to_floats(const Xs& x, Out&& out, path use = best()) noexcept {
+  using Number = detail::element_t<Xs>;
   using Float = detail::element_t<Out>;
-  (void)detail::run_batch<2, detail::has_float_lanes<N>, overflow::wrap>(
+  (void)detail::run_batch<2, detail::has_float_lanes<Number>, overflow::wrap>(
       "to_floats", {.use = use}, detail::shortest(x, out),
       [](auto on, auto... args) {
-        return on.template run<typename decltype(on)::template to_floats<N, Float>>(args...);
+        return on.template run<typename decltype(on)::template to_floats<Number, Float>>(args...);
       },
-      [](std::size_t i, const N* from) {
+      [](std::size_t i, const Number* from) {
         return detail::outcome<Float>{static_cast<Float>(from[i])};
       },
       detail::start_of(out), detail::start_of(x));

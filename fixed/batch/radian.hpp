@@ -17,10 +17,10 @@
 
 namespace fixproof::detail {
 
-template <class N>
+template <class Number>
 constexpr void check_radians() noexcept {
   static_assert(
-      has_radians<typename N::raw_type, N::fraction_bits>,
+      has_radians<typename Number::raw_type, Number::fraction_bits>,
       "radians need 16.16 or 8.8: for others, call sin and cos of fixed/batch/functions.hpp");
 }
 
@@ -28,18 +28,20 @@ constexpr void check_radians() noexcept {
 inline constexpr std::size_t few_angles = 2;
 
 /// The sines of `count` angles, each advanced by `ahead` / 2^64 turns.
-template <class N>
-void sines(batch::path use, const N* from, N* to, std::size_t count, std::uint64_t ahead) noexcept {
-  check_radians<N>();
-  constexpr int F = N::fraction_bits;
+template <class Number>
+void sines(batch::path use, const Number* from, Number* to, std::size_t count,
+           std::uint64_t ahead) noexcept {
+  check_radians<Number>();
+  constexpr int Point = Number::fraction_bits;
   std::size_t i = 0;
   if (count > few_angles) {
-    i = on_path<has_radians<typename N::raw_type, F>>(use, [&](auto on) {
-      return on.template sines<typename N::raw_type, F>(from, to, count, ahead);
+    i = on_path<has_radians<typename Number::raw_type, Point>>(use, [&](auto on) {
+      return on.template sines<typename Number::raw_type, Point>(from, to, count, ahead);
     });
   }
   for (; i < count; ++i) {
-    to[i] = N::from_raw(static_cast<typename N::raw_type>(nearest_sine<F>(from[i].raw(), ahead)));
+    to[i] = Number::from_raw(
+        static_cast<typename Number::raw_type>(nearest_sine<Point>(from[i].raw(), ahead)));
   }
 }
 
@@ -66,30 +68,31 @@ void cos(const Angles& angles, Results&& results, path use = best()) noexcept {
   detail::sines(use, std::data(angles), std::data(results), count, detail::quarter_turn);
 }
 
-/// cosines[i] and sines[i] = fixproof::sin_cos(angles[i]); see sin(). One result may overwrite the
+/// sines[i] and cosines[i] = fixproof::sin_cos(angles[i]); see sin(). One result may overwrite the
 /// angles.
-template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Cosines,
-          detail::output_of<detail::element_t<Angles>> Sines>
-void sin_cos(const Angles& angles, Cosines&& cosines, Sines&& sines, path use = best()) noexcept {
-  using N = detail::element_t<Angles>;
-  using raw = typename N::raw_type;
-  detail::check_radians<N>();
-  constexpr int F = N::fraction_bits;
-  const N* const from = std::data(angles);
-  N* const to_cos = std::data(cosines);
-  N* const to_sin = std::data(sines);
+template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Sines,
+          detail::output_of<detail::element_t<Angles>> Cosines>
+void sin_cos(const Angles& angles, Sines&& sines, Cosines&& cosines, path use = best()) noexcept {
+  using Number = detail::element_t<Angles>;
+  using raw = typename Number::raw_type;
+  detail::check_radians<Number>();
+  constexpr int Point = Number::fraction_bits;
+  const Number* const from = std::data(angles);
+  Number* const to_cos = std::data(cosines);
+  Number* const to_sin = std::data(sines);
   const std::size_t count = detail::shortest(angles, cosines, sines);
   std::size_t i = 0;
   if (count > detail::few_angles) {
     i = detail::on_path<true>(use, [&](auto on) {
-      return on.template sines_and_cosines<raw, F>(from, to_cos, to_sin, count);
+      return on.template sines_and_cosines<raw, Point>(from, to_cos, to_sin, count);
     });
   }
   for (; i < count; ++i) {
     const std::int32_t angle = from[i].raw();
     using detail::nearest_sine;
-    to_cos[i] = N::from_raw(static_cast<raw>(nearest_sine<F>(angle, detail::quarter_turn)));
-    to_sin[i] = N::from_raw(static_cast<raw>(nearest_sine<F>(angle, 0)));
+    to_cos[i] =
+        Number::from_raw(static_cast<raw>(nearest_sine<Point>(angle, detail::quarter_turn)));
+    to_sin[i] = Number::from_raw(static_cast<raw>(nearest_sine<Point>(angle, 0)));
   }
 }
 

@@ -3,6 +3,8 @@
 /// Debian's Emscripten). Every supported compiler has the builtin.
 #pragma once
 
+#include "fixed/detail/standard.hpp"
+
 namespace fixproof::detail {
 
 /// The value of type To with the bits of `from`, which is as large.

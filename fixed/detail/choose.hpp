@@ -8,10 +8,10 @@
 namespace fixproof::detail {
 
 /// condition ? a : b. Both are computed.
-template <class T>
-constexpr T chosen(bool condition, const T& a, const T& b) noexcept {
-  if constexpr (std::is_integral_v<T>) {
-    const T mask = T{0} - T{condition};
+template <class Type>
+constexpr Type chosen(bool condition, const Type& a, const Type& b) noexcept {
+  if constexpr (std::is_integral_v<Type>) {
+    const Type mask = Type{0} - Type{condition};
     return b ^ ((a ^ b) & mask);
   } else {
     return condition ? a : b;

@@ -65,9 +65,9 @@ class decimal_reader {
     return state_ == state::exponent_sign ? 2 : 1;
   }
 
-  /// That number rounded by rule R, or nothing if the rounded value is out of range.
+  /// That number rounded by rule Rounding, or nothing if the rounded value is out of range.
   /// @pre the characters consumed begin with a number
-  template <rounding R>
+  template <rounding Rounding>
   [[nodiscard]] constexpr std::optional<Raw> value() const noexcept {
     if (count_ == 0) return Raw{0};
     // The number is 0.ddd * 10^position, with the digits ddd kept; the first is not zero.
@@ -102,7 +102,7 @@ class decimal_reader {
       magnitude = (magnitude << step) + static_cast<wide>(carry);
     }
     for (std::size_t i = 1; i < limbs.size(); ++i) more = more || limbs[i] != 0;
-    return rounded_text<R, Raw>(magnitude, limbs[0], one, more, negative_);
+    return rounded_text<Rounding, Raw>(magnitude, limbs[0], one, more, negative_);
   }
 
  private:
@@ -170,29 +170,29 @@ class decimal_reader {
   std::int64_t exponent_ = 0;
 };
 
-/// Reads the longest number at the beginning of a text, rounded by rule R.
+/// Reads the longest number at the beginning of a text, rounded by rule Rounding.
 /// @pre the text begins with a number
 /// @param value what decimal_reader::value() returns
 /// @return the end of the number
-template <rounding R, int FractionBits, class Raw>
+template <rounding Rounding, int FractionBits, class Raw>
 FIXED_NOINLINE constexpr const char* read_any(const char* first, const char* last,
                                               std::optional<Raw>& value) noexcept {
   decimal_reader<Raw, FractionBits> reader;
   const char* at = first;
   while (at != last && reader.take(*at)) ++at;
-  value = reader.template value<R>();
+  value = reader.template value<Rounding>();
   return at - reader.excess();
 }
 
 /// Reads the longest number at the beginning of a text. Tries read_words() first, which is faster.
 /// @return the end of the number, or `first` if the text begins with no number
-template <rounding R, int FractionBits, class Raw>
+template <rounding Rounding, int FractionBits, class Raw>
 constexpr const char* read_decimal(const char* first, const char* last,
                                    std::optional<Raw>& value) noexcept {
   // A null pointer is a text, too: an empty one.
   if (first == nullptr) return first;
-  const char* const end = read_words<R, FractionBits>(first, last, value);
-  return end != nullptr ? end : read_any<R, FractionBits>(first, last, value);
+  const char* const end = read_words<Rounding, FractionBits>(first, last, value);
+  return end != nullptr ? end : read_any<Rounding, FractionBits>(first, last, value);
 }
 
 }  // namespace fixproof::detail

@@ -91,14 +91,14 @@ constexpr bool skip_digits(const char*& at, const char* last) noexcept {
   return all != 0;
 }
 
-/// A magnitude rounded by rule R, or nothing if it is out of range.
+/// A magnitude rounded by rule Rounding, or nothing if it is out of range.
 /// @param rest what the magnitude leaves, in units of 1 / one
 /// @param more whether the number is further from zero, by less than a unit
-template <rounding R, class Raw, class Wide>
+template <rounding Rounding, class Raw, class Wide>
 constexpr std::optional<Raw> rounded_text(Wide magnitude, std::uint64_t rest, std::uint64_t one,
                                           bool more, bool negative) noexcept {
   rest = 2 * rest + (more ? 1 : 0);
-  magnitude = magnitude + Wide{grows<R>(rest, 2 * one, negative, is_odd(magnitude))};
+  magnitude = magnitude + Wide{grows<Rounding>(rest, 2 * one, negative, is_odd(magnitude))};
   if (negative) magnitude = -magnitude;
   if (!fits<Raw>(magnitude)) return std::nullopt;
   return static_cast<Raw>(magnitude);
@@ -111,10 +111,10 @@ struct decimal_words {
   bool more = false;           ///< whether a later digit is not zero
 };
 
-/// Rounds by rule R.
+/// Rounds by rule Rounding.
 /// @param value empty before; the number, or nothing if it is out of range
 /// @return whether the digits decide the rounding. From 60 fraction bits on, they rarely do.
-template <rounding R, int FractionBits, class Raw>
+template <rounding Rounding, int FractionBits, class Raw>
 constexpr bool round_words(const decimal_words& text, bool negative,
                            std::optional<Raw>& value) noexcept {
   constexpr std::uint64_t one = power_of_ten(18);
@@ -135,16 +135,16 @@ constexpr bool round_words(const decimal_words& text, bool negative,
   if (whole_bits < 64 && text.whole >> (whole_bits & 63) != 0) return true;
   using wide = signed_t<larger(64, bits_of<Raw> + 2)>;
   const wide magnitude = (static_cast<wide>(text.whole) << FractionBits) + static_cast<wide>(steps);
-  value = rounded_text<R, Raw>(magnitude, rest, one, text.more, negative);
+  value = rounded_text<Rounding, Raw>(magnitude, rest, one, text.more, negative);
   return true;
 }
 
-/// Reads an exponent and rounds the number by rule R.
+/// Reads an exponent and rounds the number by rule Rounding.
 /// @param mark   the mark of the exponent; it ends the number if no digit follows
 /// @param all    the digits of the number, at most 18, as an integer
 /// @param places the digits after the point
 /// @return the end, or nullptr if words do not suffice
-template <rounding R, int FractionBits, class Raw>
+template <rounding Rounding, int FractionBits, class Raw>
 constexpr const char* read_exponent(const char* mark, const char* last, bool negative,
                                     std::uint64_t all, std::int64_t places,
                                     std::optional<Raw>& value) noexcept {
@@ -170,14 +170,14 @@ constexpr const char* read_exponent(const char* mark, const char* last, bool neg
     text.fraction = all / unit;
     text.more = all % unit != 0;
   }
-  if (!round_words<R, FractionBits>(text, negative, value)) return nullptr;
+  if (!round_words<Rounding, FractionBits>(text, negative, value)) return nullptr;
   return end == begin ? mark : end;
 }
 
-/// Reads the longest number at the beginning of a text, rounded by rule R.
+/// Reads the longest number at the beginning of a text, rounded by rule Rounding.
 /// @param value empty before; the number, or nothing if it is out of range
 /// @return the end of the number, `first` if there is none, or nullptr if words do not suffice
-template <rounding R, int FractionBits, class Raw>
+template <rounding Rounding, int FractionBits, class Raw>
 FIXED_ALWAYS_INLINE constexpr const char* read_words(const char* first, const char* last,
                                                      std::optional<Raw>& value) noexcept {
   const char* at = first;
@@ -201,10 +201,10 @@ FIXED_ALWAYS_INLINE constexpr const char* read_words(const char* first, const ch
     if (at != last && (*at == 'e' || *at == 'E')) {
       if (whole_digits + places > 18 || text.more) return nullptr;
       const std::uint64_t all = text.whole * power_of_ten(places) + fraction;
-      return read_exponent<R, FractionBits>(at, last, negative, all, places, value);
+      return read_exponent<Rounding, FractionBits>(at, last, negative, all, places, value);
     }
     text.fraction = fraction * power_of_ten(18 - places);
-    if (round_words<R, FractionBits>(text, negative, value)) return at;
+    if (round_words<Rounding, FractionBits>(text, negative, value)) return at;
   }
   return nullptr;
 }

@@ -98,11 +98,11 @@ constexpr std::int64_t hyperbolic_tangent_ulps(std::int64_t x, int fraction_bits
 
 // Constant expressions compute in words; variant.hpp has the reasons.
 
-template <exponential_base Base, rounding R>
+template <exponential_base Base, rounding Rounding>
 constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated())
-    return detail::nearest_exponential<Base, R>(x, fraction_bits);
-  return exponential_ulps(x, fraction_bits, Base, R);
+    return detail::nearest_exponential<Base, Rounding>(x, fraction_bits);
+  return exponential_ulps(x, fraction_bits, Base, Rounding);
 }
 
 template <logarithm_base Base>

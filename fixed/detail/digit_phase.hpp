@@ -99,13 +99,13 @@ constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
   }
 }
 
-template <angle_unit Unit, rounding R>
+template <angle_unit Unit, rounding Rounding>
 constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead, int angle_bits,
                                        int fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated()) {
-    return detail::nearest_sine_of<Unit, R>(raw, ahead, angle_bits, fraction_bits);
+    return detail::nearest_sine_of<Unit, Rounding>(raw, ahead, angle_bits, fraction_bits);
   }
-  return sine_ulps(raw, ahead, angle_bits, fraction_bits, Unit, R);
+  return sine_ulps(raw, ahead, angle_bits, fraction_bits, Unit, Rounding);
 }
 
 template <angle_unit Unit>

@@ -107,20 +107,20 @@ constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) n
   return cube_root_ulps(raw, fraction_bits);
 }
 
-template <rounding R>
+template <rounding Rounding>
 constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated())
-    return detail::nearest_reciprocal_root<R>(raw, fraction_bits);
-  return reciprocal_root_ulps(raw, fraction_bits, R);
+    return detail::nearest_reciprocal_root<Rounding>(raw, fraction_bits);
+  return reciprocal_root_ulps(raw, fraction_bits, Rounding);
 }
 
-template <rounding R>
+template <rounding Rounding>
 constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t exponent,
                                           int fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated()) {
-    return detail::nearest_real_power<R>(raw, exponent, fraction_bits);
+    return detail::nearest_real_power<Rounding>(raw, exponent, fraction_bits);
   }
-  return power_ulps(raw, exponent, fraction_bits, R);
+  return power_ulps(raw, exponent, fraction_bits, Rounding);
 }
 
 }  // namespace fixproof::detail::in_digits

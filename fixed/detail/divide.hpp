@@ -23,9 +23,9 @@ template <class Raw>
 using divisor_t = signed_t<signed_bits<Raw>>;
 
 /// The part of the divisor that the policy uses.
-template <class Raw, int FractionBits, policy P>
+template <class Raw, int FractionBits, policy Rules>
 FIXED_ALWAYS_INLINE constexpr divisor_t<Raw> effective_divisor(Raw d) noexcept {
-  if constexpr (P.divisor == divisor_width::whole_part) {
+  if constexpr (Rules.divisor == divisor_width::whole_part) {
     // Toward zero; the magnitude of the lowest value is unsigned.
     using wide = signed_t<signed_bits<Raw> + 1>;
     return static_cast<divisor_t<Raw>>(shift_right<rounding::truncate>(wide{d}, FractionBits));
@@ -35,8 +35,8 @@ FIXED_ALWAYS_INLINE constexpr divisor_t<Raw> effective_divisor(Raw d) noexcept {
 }
 
 /// The shift of the numerator before it is divided by the effective divisor.
-template <int FractionBits, policy P>
-inline constexpr int numerator_shift = P.divisor == divisor_width::full ? FractionBits : 0;
+template <int FractionBits, policy Rules>
+inline constexpr int numerator_shift = Rules.divisor == divisor_width::full ? FractionBits : 0;
 
 /// The value of n / 0 if it is not an error: the end of the range with the sign of n, which is the
 /// limit for a divisor that falls to zero; 0 / 0 is 0.
@@ -58,82 +58,85 @@ constexpr Raw by_zero(bool negative, bool zero) noexcept {
 }
 
 /// Whether quotient.hpp has the quotient in integers.
-template <class Raw, int FractionBits, policy P>
+template <class Raw, int FractionBits, policy Rules>
 inline constexpr bool has_integer_quotient =
-    std::is_signed_v<Raw>&& bits_of<Raw> <= 32 && numerator_shift<FractionBits, P> <= 30 &&
-    P.divide != rounding::half_even;
+    std::is_signed_v<Raw>&& bits_of<Raw> <= 32 && numerator_shift<FractionBits, Rules> <= 30 &&
+    Rules.divide != rounding::half_even;
 
 /// Whether quotient.hpp also has the quotient in doubles, a form that compilers vectorise.
-template <class Raw, int FractionBits, policy P>
+template <class Raw, int FractionBits, policy Rules>
 inline constexpr bool has_fast_quotient =
-    has_integer_quotient<Raw, FractionBits, P>&& numerator_shift<FractionBits, P> <= 16;
+    has_integer_quotient<Raw, FractionBits, Rules>&& numerator_shift<FractionBits, Rules> <= 16 &&
+    Rules.divide != rounding::ceiling;
 
 /// Holds a numerator after its shift, and every quotient.
-template <class Raw, int FractionBits, policy P>
-using quotient_t = signed_t<larger(64, signed_bits<Raw> + numerator_shift<FractionBits, P> + 1)>;
+template <class Raw, int FractionBits, policy Rules>
+using quotient_t =
+    signed_t<larger(64, signed_bits<Raw> + numerator_shift<FractionBits, Rules> + 1)>;
 
 /// The rounded quotient. @param divisor the effective one, not zero
-template <class Raw, int FractionBits, policy P>
-FIXED_ALWAYS_INLINE constexpr quotient_t<Raw, FractionBits, P> quotient_of(
+template <class Raw, int FractionBits, policy Rules>
+FIXED_ALWAYS_INLINE constexpr quotient_t<Raw, FractionBits, Rules> quotient_of(
     Raw n, divisor_t<Raw> divisor) noexcept {
-  constexpr int shift = numerator_shift<FractionBits, P>;
-  if constexpr (has_fast_quotient<Raw, FractionBits, P> && divides_in_double) {
-    return rounded_quotient<P.divide, shift>(n, divisor);
-  } else if constexpr (has_integer_quotient<Raw, FractionBits, P>) {
-    return quotient_by_integers<P.divide, shift>(n, divisor);
+  constexpr int shift = numerator_shift<FractionBits, Rules>;
+  if constexpr (has_fast_quotient<Raw, FractionBits, Rules> && divides_in_double) {
+    return rounded_quotient<Rules.divide, shift>(n, divisor);
+  } else if constexpr (has_integer_quotient<Raw, FractionBits, Rules>) {
+    return quotient_by_integers<Rules.divide, shift>(n, divisor);
   } else {
-    using wide = quotient_t<Raw, FractionBits, P>;
-    return rounded_ratio<P.divide>(wide{n} << shift, static_cast<wide>(divisor));
+    using wide = quotient_t<Raw, FractionBits, Rules>;
+    return rounded_ratio<Rules.divide>(wide{n} << shift, static_cast<wide>(divisor));
   }
 }
 
 /// n / d, wrapped or saturated, without error checks.
-template <class Raw, int FractionBits, policy P>
+template <class Raw, int FractionBits, policy Rules>
 FIXED_ALWAYS_INLINE constexpr Raw divide_unless_zero(Raw n, Raw d) noexcept {
-  const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, P>(d);
+  const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, Rules>(d);
   if (divisor == divisor_t<Raw>{0}) return limit_toward_zero(n);
   constexpr overflow range =
-      P.quotient_range() == overflow::saturate ? overflow::saturate : overflow::wrap;
-  return narrow<range, Raw>(quotient_of<Raw, FractionBits, P>(n, divisor), [] {});
+      Rules.quotient_range() == overflow::saturate ? overflow::saturate : overflow::wrap;
+  return narrow<range, Raw>(quotient_of<Raw, FractionBits, Rules>(n, divisor), [] {});
 }
 
 /// The same in a form that compilers vectorise, if has_fast_quotient.
-template <class Raw, int FractionBits, policy P>
+template <class Raw, int FractionBits, policy Rules>
 constexpr Raw total_divide(Raw n, Raw d) noexcept {
-  if constexpr (has_fast_quotient<Raw, FractionBits, P>) {
-    constexpr int shift = numerator_shift<FractionBits, P>;
-    const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, P>(d);
+  if constexpr (has_fast_quotient<Raw, FractionBits, Rules>) {
+    constexpr int shift = numerator_shift<FractionBits, Rules>;
+    const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, Rules>(d);
     // Divides by 1 instead of 0 and selects by a mask, because a branch would prevent
     // vectorisation.
     const std::int32_t by_zero = -std::int32_t{divisor == 0};
     const auto limit = static_cast<std::int32_t>(limit_toward_zero<Raw>(n));
     std::int32_t quotient = 0;
-    if constexpr (P.quotient_range() == overflow::saturate) {
-      quotient = saturated_quotient<Raw, P.divide, shift>(n, divisor - by_zero);
+    if constexpr (Rules.quotient_range() == overflow::saturate) {
+      quotient = saturated_quotient<Raw, Rules.divide, shift>(n, divisor - by_zero);
     } else {
       // A quotient is below 2^48; one that Raw cannot hold wraps here.
-      quotient = static_cast<std::int32_t>(rounded_quotient<P.divide, shift>(n, divisor - by_zero));
+      quotient =
+          static_cast<std::int32_t>(rounded_quotient<Rules.divide, shift>(n, divisor - by_zero));
     }
     return static_cast<Raw>((quotient & ~by_zero) | (limit & by_zero));
   } else {
-    return divide_unless_zero<Raw, FractionBits, P>(n, d);
+    return divide_unless_zero<Raw, FractionBits, Rules>(n, d);
   }
 }
 
 /// The same in the form of single quotients.
-template <class Raw, int FractionBits, policy P>
+template <class Raw, int FractionBits, policy Rules>
 FIXED_ALWAYS_INLINE constexpr Raw single_divide(Raw n, Raw d) noexcept {
   if constexpr (divides_in_double) {
-    return total_divide<Raw, FractionBits, P>(n, d);
+    return total_divide<Raw, FractionBits, Rules>(n, d);
   } else {
-    return divide_unless_zero<Raw, FractionBits, P>(n, d);
+    return divide_unless_zero<Raw, FractionBits, Rules>(n, d);
   }
 }
 
 /// Whether |n| 2^shift / |divisor| is at least 2^(bits of Raw), without dividing.
-template <class Raw, int FractionBits, policy P>
+template <class Raw, int FractionBits, policy Rules>
 constexpr bool exceeds_unsigned(Raw n, divisor_t<Raw> divisor) noexcept {
-  constexpr int shift = bits_of<Raw> - numerator_shift<FractionBits, P>;
+  constexpr int shift = bits_of<Raw> - numerator_shift<FractionBits, Rules>;
   using wide = signed_t<larger(64, signed_bits<Raw> + 1 + shift)>;
   const wide numerator{n};
   const auto magnitude = static_cast<wide>(divisor);
@@ -145,27 +148,28 @@ constexpr bool exceeds_unsigned(Raw n, divisor_t<Raw> divisor) noexcept {
 /// The outcome of a division under the policy.
 /// @param divisor  the effective one, not zero
 /// @param quotient rounded, before wrapping or saturation
-template <class Raw, int FractionBits, policy P>
+template <class Raw, int FractionBits, policy Rules>
 constexpr division ending_of(Raw n, divisor_t<Raw> divisor,
-                             const quotient_t<Raw, FractionBits, P>& quotient) noexcept {
-  if constexpr (P.fault == divide_fault::unsigned_quotient) {
-    if (exceeds_unsigned<Raw, FractionBits, P>(n, divisor)) return division::divide_error;
+                             const quotient_t<Raw, FractionBits, Rules>& quotient) noexcept {
+  if constexpr (Rules.fault == divide_fault::unsigned_quotient) {
+    if (exceeds_unsigned<Raw, FractionBits, Rules>(n, divisor)) return division::divide_error;
   }
-  if constexpr (P.fault == divide_fault::signed_quotient) {
+  if constexpr (Rules.fault == divide_fault::signed_quotient) {
     if (!fits<Raw>(quotient)) return division::divide_error;
   }
-  if constexpr (P.quotient_range() == overflow::trap) {
+  if constexpr (Rules.quotient_range() == overflow::trap) {
     if (!fits<Raw>(quotient)) return division::out_of_range;
   }
   return division::done;
 }
 
 /// The outcome of n / d under the policy.
-template <class Raw, int FractionBits, policy P>
+template <class Raw, int FractionBits, policy Rules>
 constexpr division try_division(Raw n, Raw d) noexcept {
-  const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, P>(d);
+  const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, Rules>(d);
   if (divisor == divisor_t<Raw>{0}) return division::divide_error;
-  return ending_of<Raw, FractionBits, P>(n, divisor, quotient_of<Raw, FractionBits, P>(n, divisor));
+  return ending_of<Raw, FractionBits, Rules>(n, divisor,
+                                             quotient_of<Raw, FractionBits, Rules>(n, divisor));
 }
 
 }  // namespace fixproof::detail

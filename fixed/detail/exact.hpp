@@ -36,19 +36,19 @@ constexpr sum_t<Raw> exact_magnitude(Raw a) noexcept {
   return a < 0 ? -sum_t<Raw>{a} : sum_t<Raw>{a};
 }
 
-/// a * b rounded by rule R to an integer number of ulps.
-template <int FractionBits, rounding R, class Raw>
+/// a * b rounded by rule Rounding to an integer number of ulps.
+template <int FractionBits, rounding Rounding, class Raw>
 FIXED_ALWAYS_INLINE constexpr product_t<Raw> rounded_product(Raw a, Raw b) noexcept {
   using wide = product_t<Raw>;
-  return shift_right<R>(wide{a} * wide{b}, FractionBits);
+  return shift_right<Rounding>(wide{a} * wide{b}, FractionBits);
 }
 
-/// a * b + c rounded by rule R to an integer number of ulps.
-template <int FractionBits, rounding R, class Raw>
+/// a * b + c rounded by rule Rounding to an integer number of ulps.
+template <int FractionBits, rounding Rounding, class Raw>
 constexpr mul_add_t<Raw, FractionBits> rounded_mul_add(Raw a, Raw b, Raw c) noexcept {
   using wide = mul_add_t<Raw, FractionBits>;
   const wide sum = wide{a} * wide{b} + wide{c} * (wide{1} << FractionBits);
-  return shift_right<R>(sum, FractionBits);
+  return shift_right<Rounding>(sum, FractionBits);
 }
 
 /// Places as an int. Those beyond its range become 64 or -64, which shift all bits out.

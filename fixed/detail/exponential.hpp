@@ -107,13 +107,13 @@ constexpr nearest_ends power_within(const binary_exponent& exponent, std::int64_
 /// Like nearest_exponential(), but without the quick try.
 ///
 /// Only a power of two with a whole exponent is rational.
-template <exponential_base Base, rounding R>
+template <exponential_base Base, rounding Rounding>
 constexpr std::int64_t careful_exponential(std::int64_t x, const binary_exponent& exponent,
                                            std::int64_t error, int fraction_bits) noexcept {
   const std::int64_t place = exponent.whole + fraction_bits;
   if (place >= -2 && place < 34 &&
       (x == 0 || (Base == exponential_base::two && exponent.fraction == 0))) {
-    return shift_right<R>(std::int64_t{1} << (place + 2), 2);
+    return shift_right<Rounding>(std::int64_t{1} << (place + 2), 2);
   }
   const nearest_ends ends = power_within<power_terms>(exponent, error, fraction_bits);
   if (ends.agree()) [[likely]]
@@ -123,9 +123,9 @@ constexpr std::int64_t careful_exponential(std::int64_t x, const binary_exponent
   return nearest_precise_power(precise, fraction_bits);
 }
 
-/// The exponential of x / 2^32 in units of 2^-fraction_bits, rounded to nearest, ties by rule R;
-/// any integer from 2^33 on for a result that is not below 2^34 units.
-template <exponential_base Base, rounding R>
+/// The exponential of x / 2^32 in units of 2^-fraction_bits, rounded to nearest, ties by rule
+/// Rounding; any integer from 2^33 on for a result that is not below 2^34 units.
+template <exponential_base Base, rounding Rounding>
 constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) noexcept {
   const binary_exponent exponent = exponent_of<Base>(x);
   // |x| is below 24 * 2^32 unless the result is out of range.
@@ -135,7 +135,7 @@ constexpr std::int64_t nearest_exponential(std::int64_t x, int fraction_bits) no
     if (quick.agree()) [[likely]]
       return quick.low;
   }
-  return careful_exponential<Base, R>(x, exponent, error, fraction_bits);
+  return careful_exponential<Base, Rounding>(x, exponent, error, fraction_bits);
 }
 
 /// The logarithm of 2 in a base.

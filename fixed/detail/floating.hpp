@@ -15,8 +15,8 @@
 namespace fixproof::detail {
 
 /// The supported floating-point types: IEEE binary32 and binary64.
-template <class T>
-concept binary_float = std::same_as<T, float> || std::same_as<T, double>;
+template <class Type>
+concept binary_float = std::same_as<Type, float> || std::same_as<Type, double>;
 
 /// A floating-point value times 2^n, rounded to an integer.
 template <class Wide>
@@ -32,8 +32,9 @@ struct scaled_float {
   Wide integer;
 };
 
-/// x * 2^scale rounded by rule R, for 0 <= scale <= 64. @tparam Wide signed, of 64 bits or more
-template <rounding R, class Wide, binary_float Float>
+/// x * 2^scale rounded by rule Rounding, for 0 <= scale <= 64. @tparam Wide signed, of 64 bits or
+/// more
+template <rounding Rounding, class Wide, binary_float Float>
 constexpr scaled_float<Wide> scale(Float x, int scale) noexcept {
   using kind = typename scaled_float<Wide>::kind;
   using bits_type = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
@@ -55,7 +56,8 @@ constexpr scaled_float<Wide> scale(Float x, int scale) noexcept {
       (biased == 0 ? 1 : biased) - (limits::max_exponent - 1) - significand_bits + scale;
   if (exponent < 0) {
     // The significand has at most 53 bits, so a shift beyond 60 equals a shift by 60.
-    return {kind::finite, negative, Wide{shift_right<R>(value, exponent < -60 ? 60 : -exponent)}};
+    return {kind::finite, negative,
+            Wide{shift_right<Rounding>(value, exponent < -60 ? 60 : -exponent)}};
   }
   constexpr int room = static_cast<int>(8 * sizeof(Wide)) - 54;
   if (exponent <= room) return {kind::finite, negative, Wide{value} << exponent};

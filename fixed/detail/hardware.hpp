@@ -8,16 +8,43 @@
 
 namespace fixproof::detail {
 
-/// True if double is IEEE binary64 and the compiler evaluates it as written, without excess
-/// precision, reciprocals or reassociation. If false, integers give the same bits, so translation
-/// units may differ.
+// Defined where the compiler calls a function for each operation on doubles, as far as its macros
+// tell: a processor without a floating-point unit, or with one for float alone. Bit 3 of __ARM_FP
+// is that of double. GCC defines _SOFT_FLOAT on x86, PowerPC and SPARC.
+#if defined(__arm__)
+#if !defined(__ARM_FP) || !(__ARM_FP & 8)
+#define FIXED_SOFT_DOUBLE
+#endif
+#elif defined(__riscv)
+#if !defined(__riscv_flen) || __riscv_flen < 64
+#define FIXED_SOFT_DOUBLE
+#endif
+#elif defined(__m68k__)
+#if !defined(__HAVE_68881__) && !defined(__mcffpu__)
+#define FIXED_SOFT_DOUBLE
+#endif
+#elif defined(__sh__)
+#if !defined(__SH_FPU_DOUBLE__)
+#define FIXED_SOFT_DOUBLE
+#endif
+#elif defined(__SOFTFP__) || defined(_SOFT_FLOAT) || defined(_SOFT_DOUBLE) ||                     \
+    defined(__NO_FPRS__) || defined(__mips_soft_float) || defined(__mips_single_float) ||         \
+    defined(__loongarch_soft_float) || defined(__loongarch_single_float) || defined(__AVR__) ||   \
+    defined(__MSP430__) || defined(__RL78__) || defined(__XTENSA__) || defined(__MICROBLAZE__) || \
+    defined(__nios2__) || defined(__arc__)
+#define FIXED_SOFT_DOUBLE
+#endif
+
+/// True if the processor has double, double is IEEE binary64, and the compiler evaluates it as
+/// written, without excess precision, reciprocals or reassociation. If false, integers give the
+/// same bits, so translation units may differ.
 ///
-/// Define FIXED_NO_HARDWARE_DOUBLE for targets without a floating-point unit, and for flags that
-/// loosen floating point without defining a macro (clang's -fassociative-math). -ffreestanding
-/// and FIXED_SMALL imply it.
-#if !__STDC_HOSTED__ || defined(FIXED_NO_HARDWARE_DOUBLE) || defined(__FAST_MATH__) ||      \
-    defined(__RECIPROCAL_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \
-    defined(FIXED_SMALL) || FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD > 1
+/// Define FIXED_NO_HARDWARE_DOUBLE for a processor without double that the list above lacks, and
+/// for flags that loosen floating point without defining a macro (clang's -fassociative-math).
+/// -ffreestanding and FIXED_SMALL imply it.
+#if !__STDC_HOSTED__ || defined(FIXED_NO_HARDWARE_DOUBLE) || defined(FIXED_SOFT_DOUBLE) ||     \
+    defined(__FAST_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__ASSOCIATIVE_MATH__) || \
+    defined(_M_FP_FAST) || defined(FIXED_SMALL) || FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD > 1
 constexpr bool hardware_double = false;
 #else
 constexpr bool hardware_double =

@@ -4,6 +4,8 @@
 /// about as long as the calls of its helpers.
 #pragma once
 
+#include "fixed/detail/standard.hpp"
+
 #if defined(__GNUC__)
 #define FIXED_INLINE __attribute__((always_inline))
 #define FIXED_ALWAYS_INLINE FIXED_INLINE inline

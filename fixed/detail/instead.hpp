@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "fixed/detail/standard.hpp"
+
 namespace fixproof::detail {
 
 /// A string literal as a template argument.

@@ -10,19 +10,19 @@
 
 namespace fixproof::detail {
 
-/// Whether the functions cover the format.
-template <class Number>
-inline constexpr bool has_functions = bits_of<typename Number::raw_type> <= 32;
+/// Whether functions need more than 64-bit integers for the first try.
+template <class... Number>
+inline constexpr bool needs_intervals = ((bits_of<typename Number::raw_type> > 32) || ...);
 
-template <class T>
-concept number_or_arithmetic = std::is_arithmetic_v<T> || is_plain_number<T>;
+template <class Type>
+concept number_or_arithmetic = std::is_arithmetic_v<Type> || is_plain_number<Type>;
 
-template <class... T>
-concept has_number = (is_plain_number<T> || ...);
+template <class... Type>
+concept has_number = (is_plain_number<Type> || ...);
 
 /// Whether a function of numbers of one type would have to convert some of its operands.
-template <class A, class... B>
-concept mixed_operands = has_number<A, B...> && !(std::same_as<A, B> && ...);
+template <class First, class... Second>
+concept mixed_operands = has_number<First, Second...> && !(std::same_as<First, Second> && ...);
 
 /// An operand that is not a number. A conversion of the standard is preferred to this one, so that
 /// the C library's function remains the better match wherever it is visible.
@@ -36,11 +36,6 @@ struct no_number {
 }  // namespace fixproof::detail
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): these put the name of a function into a text
-/// Refuses a format that function `name` does not cover.
-#define FIXED_NEEDS_32_BITS(name, ...)                        \
-  static_assert(fixproof::detail::has_functions<__VA_ARGS__>, \
-                #name " needs a format of at most 32 bits: convert, as in q16_16(x)")
-
 /// Refuses an operand that is not a number.
 #define FIXED_REFUSED_PLAIN(name)                    \
   template <int = 0>                                 \
@@ -48,9 +43,11 @@ struct no_number {
       FIXED_INSTEAD(#name " takes a number: convert, as in " #name "(q16_16(0.5))");
 
 /// Refuses operands of different types.
-#define FIXED_REFUSED_MIX(name)                                                                 \
-  template <fixproof::detail::number_or_arithmetic A, fixproof::detail::number_or_arithmetic B, \
-            fixproof::detail::number_or_arithmetic... C>                                        \
-  requires fixproof::detail::mixed_operands<A, B, C...> A name(A, B, C...)                      \
+#define FIXED_REFUSED_MIX(name)                                                                \
+  template <fixproof::detail::number_or_arithmetic First,                                      \
+            fixproof::detail::number_or_arithmetic Second,                                     \
+            fixproof::detail::number_or_arithmetic... Third>                                   \
+  requires fixproof::detail::mixed_operands<First, Second, Third...> First name(First, Second, \
+                                                                                Third...)      \
   FIXED_INSTEAD(#name " takes numbers of one type: convert, as in q16_16(2)");
 // NOLINTEND(cppcoreguidelines-macro-usage)

@@ -19,12 +19,12 @@ constexpr bool fits(Wide value) noexcept {
          !(Wide{(std::numeric_limits<Raw>::max)()} < value);
 }
 
-/// The value as a Raw by rule O. Under overflow::trap, calls `raise` for a value that does not fit;
-/// `raise` must throw.
-template <overflow O, class Raw, class Wide, class Raise>
+/// The value as a Raw by rule Overflow. Under overflow::trap, calls `raise` for a value that does
+/// not fit; `raise` must throw.
+template <overflow Overflow, class Raw, class Wide, class Raise>
 FIXED_ALWAYS_INLINE constexpr Raw narrow(Wide value,
-                                         const Raise& raise) noexcept(O != overflow::trap) {
-  if constexpr (O == overflow::saturate) {
+                                         const Raise& raise) noexcept(Overflow != overflow::trap) {
+  if constexpr (Overflow == overflow::saturate) {
     using limits = std::numeric_limits<Raw>;
 #if defined(__AVX2__)
     // In two steps, of values and not of constants with names, g++ finds a minimum and a maximum,
@@ -37,8 +37,8 @@ FIXED_ALWAYS_INLINE constexpr Raw narrow(Wide value,
     return static_cast<Raw>(value < lowest ? lowest : highest < value ? highest : value);
 #endif
   } else {
-    static_assert(O != overflow::as_range);
-    if constexpr (O == overflow::trap) {
+    static_assert(Overflow != overflow::as_range);
+    if constexpr (Overflow == overflow::trap) {
       if (!fits<Raw>(value)) raise();
     }
     return static_cast<Raw>(value);
@@ -46,9 +46,9 @@ FIXED_ALWAYS_INLINE constexpr Raw narrow(Wide value,
 }
 
 /// The rule of functions, which never wrap: a root or an exponential modulo 2^32 means nothing.
-template <overflow O>
+template <overflow Overflow>
 inline constexpr overflow function_range =
-    O == overflow::trap ? overflow::trap : overflow::saturate;
+    Overflow == overflow::trap ? overflow::trap : overflow::saturate;
 
 /// Limits an integer to +-(2^Bits - 1). Limits of 32 bits or more are out of every range, but leave
 /// room for shifts and for products with a stored integer.

@@ -99,10 +99,10 @@ constexpr precise_sine_and_cosine precise_sine_of(const real& angle) noexcept {
 }
 
 /// The sine of the angle raw / 2^angle_bits plus `ahead` quarter turns in units of
-/// 2^-fraction_bits. Only 1/2 and -1/2, in degrees, are ties; rule R decides.
+/// 2^-fraction_bits. Only 1/2 and -1/2, in degrees, are ties; rule Rounding decides.
 ///
 /// The bounds of the errors hold for every angle, and are the same in units of every result.
-template <angle_unit Unit, rounding R>
+template <angle_unit Unit, rounding Rounding>
 constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead, int angle_bits,
                                        int fraction_bits) noexcept {
   const std::uint64_t phase = phase_of<Unit>(raw, angle_bits) + (std::uint64_t{ahead} << 62);
@@ -123,7 +123,7 @@ constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead, int ang
     return ends.low;
   if (Unit == angle_unit::degree && fraction_bits == 0 &&
       raw % (std::int64_t{30} << angle_bits) == 0) {
-    return shift_right<R>(std::int64_t{phase >> 63 == 0 ? 1 : -1}, 1);
+    return shift_right<Rounding>(std::int64_t{phase >> 63 == 0 ? 1 : -1}, 1);
   }
   const precise_phase precise = precise_phase_of<Unit>(raw, angle_bits);
   const unsigned quarters = precise.quarters + ahead;

@@ -53,8 +53,8 @@ constexpr std::int64_t below_reciprocal_root(std::uint64_t raw, int fraction_bit
 
 /// 1 / sqrt(raw / 2^fraction_bits) in units of 2^-fraction_bits. @pre 0 < raw < 2^32
 ///
-/// Only a half is a tie, the root of a power of two; rule R decides.
-template <rounding R>
+/// Only a half is a tie, the root of a power of two; rule Rounding decides.
+template <rounding Rounding>
 constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_bits) noexcept {
   // The root is at most 2^48, and its square times raw at most 2^(3 fraction_bits): so 128 bits
   // have room for four times that and 4 root raw.
@@ -63,7 +63,7 @@ constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_b
   const int128 middle{2 * low + 1};
   const int128 scaled = middle * middle * int128{raw};
   const int128 exact = int128{1} << (3 * fraction_bits + 2);
-  if (scaled == exact) return shift_right<R>(2 * low + 1, 1);
+  if (scaled == exact) return shift_right<Rounding>(2 * low + 1, 1);
   return low + (scaled < exact ? 1 : 0);
 }
 
@@ -100,16 +100,17 @@ constexpr std::int64_t nearest_cube_root(std::uint64_t raw, int fraction_bits) n
   return low + (middle * middle * middle < cube ? 1 : 0);
 }
 
-/// 1 / (raw / 2^FractionBits) in units of 2^-FractionBits, rounded by rule R. @pre raw is not 0
-template <rounding R, int FractionBits, class Raw>
+/// 1 / (raw / 2^FractionBits) in units of 2^-FractionBits, rounded by rule Rounding. @pre raw is
+/// not 0
+template <rounding Rounding, int FractionBits, class Raw>
 constexpr auto nearest_reciprocal(Raw raw) noexcept {
   using wide = signed_t<2 * FractionBits + larger(bits_of<Raw> - FractionBits, 2) + 2>;
   // Without a remainder it takes fewer instructions.
   if constexpr (std::is_same_v<wide, std::int64_t> && std::is_signed_v<Raw> && FractionBits <= 30 &&
-                R != rounding::half_even) {
-    return quotient_by_integers<R, FractionBits>(std::int32_t{1} << FractionBits, raw);
+                Rounding != rounding::half_even) {
+    return quotient_by_integers<Rounding, FractionBits>(std::int32_t{1} << FractionBits, raw);
   } else {
-    return quick_ratio<R>(wide{1} << (2 * FractionBits), wide{raw});
+    return quick_ratio<Rounding>(wide{1} << (2 * FractionBits), wide{raw});
   }
 }
 
@@ -139,7 +140,7 @@ constexpr int128 short_power(std::uint64_t m, std::int64_t n) noexcept {
 /// square roots of m are whole and 2^k divides e. Then it is a power of two, or for n > 0 an odd
 /// integer m^n times a power of two, or for n < 0 the reciprocal of such a number, which is no tie.
 /// @pre raw > 0, exponent != 0
-template <rounding R>
+template <rounding Rounding>
 constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
                                      int fraction_bits) noexcept {
   constexpr exact_power unknown{false, 0};
@@ -176,10 +177,10 @@ constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
   // Powers from 2^34 ulps on never come here, because both ends of their bounds are beyond.
   FIXED_ASSERT((power >> places) < (int128{1} << 36));
   // Rule floor is for magnitudes whose negatives round half up: only ties go down.
-  if constexpr (R == rounding::floor) {
+  if constexpr (Rounding == rounding::floor) {
     return {true, -static_cast<std::int64_t>(shift_right<rounding::half_up>(-power, places))};
   } else {
-    return {true, static_cast<std::int64_t>(shift_right<R>(power, places))};
+    return {true, static_cast<std::int64_t>(shift_right<Rounding>(power, places))};
   }
 }
 
@@ -207,22 +208,22 @@ constexpr nearest_ends real_power_within(const scaled_word& x, std::int64_t expo
 }
 
 /// Like nearest_real_power(), but without the quick try. @param x raw / 2^fraction_bits
-template <rounding R>
+template <rounding Rounding>
 constexpr std::int64_t careful_real_power(std::uint64_t raw, const scaled_word& x,
                                           std::int64_t exponent, int fraction_bits) noexcept {
   const nearest_ends ends =
       real_power_within<logarithm_terms, power_terms>(x, exponent, fraction_bits);
   if (ends.agree()) [[likely]]
     return ends.low;
-  const exact_power exact = rational_power<R>(raw, exponent, fraction_bits);
+  const exact_power exact = rational_power<Rounding>(raw, exponent, fraction_bits);
   if (exact.is_known) return exact.ulps;
   return nearest_precise_power(precise_logarithm(x) * real{exponent} >> fraction_bits,
                                fraction_bits);
 }
 
 /// x^y for x = raw / 2^fraction_bits and y = exponent / 2^fraction_bits in units of
-/// 2^-fraction_bits, rounded to nearest, ties by rule R. @pre raw > 0
-template <rounding R>
+/// 2^-fraction_bits, rounded to nearest, ties by rule Rounding. @pre raw > 0
+template <rounding Rounding>
 constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t exponent,
                                           int fraction_bits) noexcept {
   if (exponent == 0) return std::int64_t{1} << fraction_bits;
@@ -233,7 +234,7 @@ constexpr std::int64_t nearest_real_power(std::uint64_t raw, std::int64_t expone
     if (quick.agree()) [[likely]]
       return quick.low;
   }
-  return careful_real_power<R>(raw, x, exponent, fraction_bits);
+  return careful_real_power<Rounding>(raw, x, exponent, fraction_bits);
 }
 
 }  // namespace fixproof::detail

@@ -18,7 +18,7 @@ FIXED_ALWAYS_INLINE constexpr std::int64_t one_if_negative(std::int32_t x) noexc
   return static_cast<std::int64_t>(static_cast<std::uint32_t>(x) >> 31);
 }
 
-/// numerator * 2^Shift / divisor rounded by rule R, in integers. R is not half_even.
+/// numerator * 2^Shift / divisor rounded by rule Rounding, in integers. Rounding is not half_even.
 ///
 /// One division without a branch, and as little as possible before and after it, because a chain of
 /// divisions waits for all of it. Let Q be the exact quotient and t the truncated quotient of its
@@ -32,20 +32,28 @@ FIXED_ALWAYS_INLINE constexpr std::int64_t one_if_negative(std::int32_t x) noexc
 /// half_away is floor((t + 1) / 2) for Q >= 0. For Q < 0 it is ceil((t - 1) / 2) = floor(t / 2).
 ///
 /// @pre divisor is not zero, Shift <= 30
-template <rounding R, int Shift>
+template <rounding Rounding, int Shift>
 FIXED_ALWAYS_INLINE constexpr std::int64_t quotient_by_integers(std::int32_t numerator,
                                                                 std::int32_t divisor) noexcept {
   const std::int64_t below = one_if_negative(numerator);
   const std::int64_t divisor_below = one_if_negative(divisor);
-  if constexpr (R == rounding::half_up || R == rounding::half_away) {
+  if constexpr (Rounding == rounding::half_up || Rounding == rounding::half_away) {
     std::int64_t twice = std::int64_t{numerator} * (std::int64_t{2} << Shift);
-    if constexpr (R == rounding::half_up) twice = twice + below - divisor_below;
+    if constexpr (Rounding == rounding::half_up) twice = twice + below - divisor_below;
     return (twice / divisor + one_if_negative(~(numerator ^ divisor))) >> 1;
   } else {
     const std::int64_t scaled = std::int64_t{numerator} * (std::int64_t{1} << Shift);
-    // A negative quotient that is not an integer has a floor below its truncation.
-    const bool between = R == rounding::floor && scaled % divisor != 0 && below != divisor_below;
-    return scaled / divisor - std::int64_t{between};
+    const bool negative = below != divisor_below;
+    const std::int64_t truncated = scaled / divisor;
+    // A negative quotient that is not an integer has a floor below its truncation, and a positive
+    // one a ceiling above it.
+    if constexpr (Rounding == rounding::floor) {
+      return truncated - std::int64_t{scaled % divisor != 0 && negative};
+    } else if constexpr (Rounding == rounding::ceiling) {
+      return truncated + std::int64_t{scaled % divisor != 0 && !negative};
+    } else {
+      return truncated;
+    }
   }
 }
 
@@ -54,8 +62,8 @@ inline std::int32_t upper_bits(double x) noexcept {
   return static_cast<std::int32_t>(bit_cast<std::uint64_t>(x) >> 32);
 }
 
-/// The quotient by one double division, plus a half if R rounds to nearest. Its floor, or its trunc
-/// for half_away and truncate, is the rounded quotient.
+/// The quotient by one double division, plus a half if Rounding rounds to nearest. Its floor, or
+/// its trunc for half_away and truncate, is the rounded quotient.
 ///
 /// Bit-identical to integer division for every operand and every rounding mode of the processor:
 ///
@@ -69,13 +77,13 @@ inline std::int32_t upper_bits(double x) noexcept {
 /// integer as the exact one, and at least 1 / (4 |D|) >= 2^-33 away from it.
 ///
 /// So floor and trunc of the computed sum are those of the exact sum.
-template <rounding R, int Shift>
+template <rounding Rounding, int Shift>
 inline double quotient_sum(std::int32_t numerator, std::int32_t divisor) noexcept {
   constexpr double scale = std::int64_t{1} << Shift;
   const double q = static_cast<double>(numerator) * scale / static_cast<double>(divisor);
-  if constexpr (R == rounding::half_up) {
+  if constexpr (Rounding == rounding::half_up) {
     return q + 0.5;
-  } else if constexpr (R == rounding::half_away) {
+  } else if constexpr (Rounding == rounding::half_away) {
     return q + copysign(0.5, q);
   } else {
     return q;
@@ -98,36 +106,37 @@ inline std::int64_t floor_of_sum(double sum) noexcept {
          static_cast<std::int64_t>(step);
 }
 
-/// Whether rule R is a floor after adding the half; otherwise it is a trunc.
-template <rounding R>
-inline constexpr bool rounds_by_floor = R == rounding::half_up || R == rounding::floor;
+/// Whether rule Rounding is a floor after adding the half; otherwise it is a trunc.
+template <rounding Rounding>
+inline constexpr bool rounds_by_floor =
+    Rounding == rounding::half_up || Rounding == rounding::floor;
 
-/// numerator * 2^Shift / divisor rounded by rule R. @pre divisor is not zero, Shift <= 16
-template <rounding R, int Shift>
+/// numerator * 2^Shift / divisor rounded by rule Rounding. @pre divisor is not zero, Shift <= 16
+template <rounding Rounding, int Shift>
 constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
   // if constexpr: without hardware doubles even dead code must not contain a double.
   if constexpr (hardware_double) {
     if (!std::is_constant_evaluated()) {
       // At most 2^47 and a half.
-      const double sum = quotient_sum<R, Shift>(numerator, divisor);
-      return rounds_by_floor<R> ? floor_of_sum(sum) : static_cast<std::int64_t>(sum);
+      const double sum = quotient_sum<Rounding, Shift>(numerator, divisor);
+      return rounds_by_floor<Rounding> ? floor_of_sum(sum) : static_cast<std::int64_t>(sum);
     }
   }
-  return quotient_by_integers<R, Shift>(numerator, divisor);
+  return quotient_by_integers<Rounding, Shift>(numerator, divisor);
 }
 
 /// rounded_quotient(), saturated to the range of Raw.
-template <class Raw, rounding R, int Shift>
+template <class Raw, rounding Rounding, int Shift>
 constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
   constexpr std::int32_t highest = (std::numeric_limits<Raw>::max)();
   constexpr std::int32_t lowest = (std::numeric_limits<Raw>::min)();
-  if constexpr (hardware_double && rounds_by_floor<R>) {
+  if constexpr (hardware_double && rounds_by_floor<Rounding>) {
     if (!std::is_constant_evaluated()) {
       // Out of range if the sum is below `lowest` (or is a negative zero above it: the same end) or
       // has reached `highest` + 1. At such a quotient the divisor is at most 2^16, so a sum that
       // has not reached it stays 2^-18 below.
       constexpr double below_end = static_cast<double>(highest) + (1 - 0x1p-19);
-      const double sum = quotient_sum<R, Shift>(numerator, divisor);
+      const double sum = quotient_sum<Rounding, Shift>(numerator, divisor);
       // Modulo 2^32; below, `end` replaces what is out of range.
       const auto low = static_cast<std::int32_t>(floor_of_sum(sum));
       const std::int32_t end = ((numerator ^ divisor) >> 31) ^ highest;
@@ -135,7 +144,7 @@ constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t d
       return (low & ~out) | (end & out);
     }
   }
-  const std::int64_t quotient = rounded_quotient<R, Shift>(numerator, divisor);
+  const std::int64_t quotient = rounded_quotient<Rounding, Shift>(numerator, divisor);
   return static_cast<std::int32_t>(quotient < lowest    ? lowest
                                    : quotient > highest ? highest
                                                         : quotient);

@@ -3,16 +3,20 @@
 /// 300)".
 ///
 /// Without exceptions (-fno-exceptions) it writes the text to stderr and aborts; under
-/// -ffreestanding it executes a trap instruction.
+/// -ffreestanding it executes a trap instruction. FIXED_ON_ERROR replaces all of this, and then no
+/// text of the operands is made.
 #pragma once
 
 #include <cstddef>
 
 #include "fixed/detail/decimal.hpp"
 #include "fixed/detail/floating.hpp"
+#include "fixed/detail/other_floats.hpp"
 #include "fixed/detail/storage.hpp"
 
-#if __STDC_HOSTED__
+#if defined(FIXED_ON_ERROR)
+#include "fixed/detail/throw.hpp"
+#elif __STDC_HOSTED__
 #include <array>
 #include <charconv>
 #include <concepts>
@@ -42,11 +46,18 @@ struct term_count {
   std::size_t terms;
 };
 
-#if __STDC_HOSTED__
+#if defined(FIXED_ON_ERROR)
+
+template <class Error, class... Operands>
+[[noreturn]] void raise(const char* what, const char* operation, Operands... /*operands*/) {
+  FIXED_ON_ERROR(what, operation);
+}
+
+#elif __STDC_HOSTED__
 
 template <class Raw, int FractionBits>
 std::string describe(operand<Raw, FractionBits> x) {
-  std::array<char, max_decimal_chars<Raw, FractionBits>> text{};
+  std::array<char, max_decimal_chars<Raw, FractionBits> > text{};
   return {text.data(), write_decimal<FractionBits>(text.data(), x.raw)};
 }
 
@@ -58,6 +69,8 @@ std::string describe(binary_float auto x) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
+
+std::string describe(wide_float auto x) { return describe(static_cast<double>(x)); }
 
 /// @param what      "overflow", "divide error"
 /// @param operation as in the source: "operator+", "sqrt"

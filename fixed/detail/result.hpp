@@ -19,11 +19,11 @@ constexpr auto rescaled(const Wide& value) noexcept {
   return shift_right<To::rules.multiply>(static_cast<wide>(value) << larger(up, 0), larger(-up, 0));
 }
 
-/// Applies the rule O to a result in units of To. @pre Wide holds every stored integer of To
-template <class To, overflow O, class Wide, class... Operands>
+/// Applies the rule Overflow to a result in units of To. @pre Wide holds every stored integer of To
+template <class To, overflow Overflow, class Wide, class... Operands>
 constexpr To narrowed_to(const Wide& value, const char* operation,
-                         Operands... operands) noexcept(O != overflow::trap) {
-  return To::from_raw(narrow<O, typename To::raw_type>(value, [&] {
+                         Operands... operands) noexcept(Overflow != overflow::trap) {
+  return To::from_raw(narrow<Overflow, typename To::raw_type>(value, [&] {
     raise<overflow_error>(
         "overflow", operation,
         operand<typename Operands::raw_type, Operands::fraction_bits>{operands.raw()}...);

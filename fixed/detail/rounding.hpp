@@ -12,60 +12,67 @@
 
 namespace fixproof::detail {
 
-/// Whether rule R rounds to nearest.
-template <rounding R>
+/// Whether rule Rounding rounds to nearest.
+template <rounding Rounding>
 inline constexpr bool is_to_nearest =
-    R == rounding::half_up || R == rounding::half_away || R == rounding::half_even;
+    Rounding == rounding::half_up || Rounding == rounding::half_away ||
+    Rounding == rounding::half_even;
 
 template <class Int>
 constexpr bool is_odd(const Int& x) noexcept {
   return (static_cast<std::uint64_t>(x) & 1) != 0;
 }
 
-/// The bias to add before a floor division by `unit`, so that the quotient is rounded by rule R.
+/// The bias to add before a floor division by `unit`, so that the quotient is rounded by rule
+/// Rounding.
 /// @param negative whether the value is below zero
 /// @param odd      whether the floor of value / unit is odd; only half_even uses it
 /// @param unit     even and positive, so that a half is a whole number of parts
-template <rounding R, class Int>
+template <rounding Rounding, class Int>
 FIXED_ALWAYS_INLINE constexpr Int bias(bool negative, bool odd, Int unit) noexcept {
-  if constexpr (R == rounding::half_up) {
+  if constexpr (Rounding == rounding::half_up) {
     return unit >> 1;
-  } else if constexpr (R == rounding::half_away) {
+  } else if constexpr (Rounding == rounding::half_away) {
     return (unit >> 1) - Int{negative};
-  } else if constexpr (R == rounding::half_even) {
+  } else if constexpr (Rounding == rounding::half_even) {
     return (unit >> 1) - Int{!odd};
-  } else if constexpr (R == rounding::truncate) {
+  } else if constexpr (Rounding == rounding::truncate) {
     return negative ? unit - Int{1} : Int{0};
+  } else if constexpr (Rounding == rounding::ceiling) {
+    return unit - Int{1};
   } else {
-    static_assert(R == rounding::floor);
+    static_assert(Rounding == rounding::floor);
     return Int{0};
   }
 }
 
-/// value / 2^bits, rounded by rule R. @pre Int is signed, and value + 2^bits does not overflow
-template <rounding R, class Int>
+/// value / 2^bits, rounded by rule Rounding. @pre Int is signed, and value + 2^bits does not
+/// overflow
+template <rounding Rounding, class Int>
 FIXED_ALWAYS_INLINE constexpr Int shift_right(Int value, int bits) noexcept {
   if (bits == 0) return value;
-  const bool odd = R == rounding::half_even && is_odd(value >> bits);
-  return (value + bias<R>(value < Int{0}, odd, Int{1} << bits)) >> bits;
+  const bool odd = Rounding == rounding::half_even && is_odd(value >> bits);
+  return (value + bias<Rounding>(value < Int{0}, odd, Int{1} << bits)) >> bits;
 }
 
 /// Whether a result between two integers is rounded to the upper one.
 /// @param order    the distance to the lower one against the distance to the upper one
 /// @param exact    whether the distance to the lower one is zero
 /// @param odd      whether the lower one is odd
-template <rounding R>
+template <rounding Rounding>
 constexpr bool rounds_up(std::strong_ordering order, bool exact, bool negative, bool odd) noexcept {
-  if constexpr (R == rounding::half_up) {
+  if constexpr (Rounding == rounding::half_up) {
     return std::is_gteq(order);
-  } else if constexpr (R == rounding::half_away) {
+  } else if constexpr (Rounding == rounding::half_away) {
     return std::is_gt(order) || (std::is_eq(order) && !negative);
-  } else if constexpr (R == rounding::half_even) {
+  } else if constexpr (Rounding == rounding::half_even) {
     return std::is_gt(order) || (std::is_eq(order) && odd);
-  } else if constexpr (R == rounding::truncate) {
+  } else if constexpr (Rounding == rounding::truncate) {
     return negative && !exact;
+  } else if constexpr (Rounding == rounding::ceiling) {
+    return !exact;
   } else {
-    static_assert(R == rounding::floor);
+    static_assert(Rounding == rounding::floor);
     return false;
   }
 }
@@ -86,8 +93,9 @@ constexpr Int truncated_ratio(const Int& numerator, const Int& divisor) noexcept
   }
 }
 
-/// numerator / divisor rounded by rule R. @pre the divisor is not zero; both have a bit to spare
-template <rounding R, class Int>
+/// numerator / divisor rounded by rule Rounding. @pre the divisor is not zero; both have a bit to
+/// spare
+template <rounding Rounding, class Int>
 constexpr Int rounded_ratio(Int numerator, Int divisor) noexcept {
   const Int zero{0};
   if (divisor < zero) {
@@ -113,25 +121,27 @@ constexpr Int rounded_ratio(Int numerator, Int divisor) noexcept {
   const std::strong_ordering order = above_floor < to_upper   ? std::strong_ordering::less
                                      : to_upper < above_floor ? std::strong_ordering::greater
                                                               : std::strong_ordering::equal;
-  return floor + Int{rounds_up<R>(order, above_floor == zero, negative, is_odd(floor))};
+  return floor + Int{rounds_up<Rounding>(order, above_floor == zero, negative, is_odd(floor))};
 }
 
-/// Whether the magnitude of a quotient grows by one, when rule R rounds it.
+/// Whether the magnitude of a quotient grows by one, when rule Rounding rounds it.
 /// @param rest the remainder of the magnitudes, below their divisor
 /// @param odd  whether the quotient of the magnitudes is odd; only half_even uses it
-template <rounding R, class Word>
+template <rounding Rounding, class Word>
 constexpr bool grows(Word rest, Word divisor, bool negative, bool odd) noexcept {
   const Word to_next = divisor - rest;
-  if constexpr (R == rounding::half_up) {
+  if constexpr (Rounding == rounding::half_up) {
     return rest + Word{!negative} > to_next;
-  } else if constexpr (R == rounding::half_away) {
+  } else if constexpr (Rounding == rounding::half_away) {
     return rest >= to_next;
-  } else if constexpr (R == rounding::half_even) {
+  } else if constexpr (Rounding == rounding::half_even) {
     return rest + Word{odd} > to_next;
-  } else if constexpr (R == rounding::truncate) {
+  } else if constexpr (Rounding == rounding::truncate) {
     return false;
+  } else if constexpr (Rounding == rounding::ceiling) {
+    return !negative && rest != 0;
   } else {
-    static_assert(R == rounding::floor);
+    static_assert(Rounding == rounding::floor);
     return negative && rest != 0;
   }
 }
@@ -148,7 +158,7 @@ constexpr Word negated_if(bool negative, Word x) noexcept {
 /// It divides magnitudes. Random signs and remainders make branches hard to predict, and clang++
 /// branches between the objects of std::strong_ordering.
 /// @pre the divisor is not zero, and the result fits; a wider Int has a bit to spare
-template <rounding R, class Int>
+template <rounding Rounding, class Int>
 constexpr Int quick_ratio(Int numerator, Int divisor) noexcept {
   if constexpr (sizeof(Int) <= sizeof(std::uint64_t)) {
     using word = std::make_unsigned_t<Int>;
@@ -157,10 +167,10 @@ constexpr Int quick_ratio(Int numerator, Int divisor) noexcept {
     const word n = negated_if(numerator < 0, static_cast<word>(numerator));
     const word d = negated_if(divisor_below, static_cast<word>(divisor));
     const word floor = n / d;
-    const word nearest = floor + word{grows<R>(n % d, d, negative, is_odd(floor))};
+    const word nearest = floor + word{grows<Rounding>(n % d, d, negative, is_odd(floor))};
     return static_cast<Int>(negated_if(negative, nearest));
   } else {
-    return rounded_ratio<R>(numerator, divisor);
+    return rounded_ratio<Rounding>(numerator, divisor);
   }
 }
 

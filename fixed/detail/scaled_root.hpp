@@ -21,16 +21,16 @@ constexpr Wide nearest_sqrt_below(const Wide& n) noexcept {
   }
 }
 
-/// The integer nearest to sqrt(n 2^Shift), ties by rule R, for 0 <= n < 2^Bits.
+/// The integer nearest to sqrt(n 2^Shift), ties by rule Rounding, for 0 <= n < 2^Bits.
 ///
 /// A left shift leaves an integer, whose root is no tie (see nearest_sqrt()). A right shift is two
 /// places shorter, so that the root is in halves of the unit. It is rounded down. If it is odd, the
 /// exact root is a half or more above the unit below. It is the half itself only if the square of
 /// the rounded root has all bits of n.
-/// @pre R rounds to nearest; Wide has max(Shift, 1) + 3 bits more than n, and a sign
-template <rounding R, int Shift, int Bits, class Wide>
+/// @pre Rounding rounds to nearest; Wide has max(Shift, 1) + 3 bits more than n, and a sign
+template <rounding Rounding, int Shift, int Bits, class Wide>
 constexpr Wide nearest_scaled_sqrt(const Wide& n) noexcept {
-  static_assert(is_to_nearest<R>);
+  static_assert(is_to_nearest<Rounding>);
   if constexpr (Shift >= 0) {
     return nearest_sqrt_below<Bits + Shift>(n << Shift);
   } else {
@@ -42,7 +42,7 @@ constexpr Wide nearest_scaled_sqrt(const Wide& n) noexcept {
     const Wide halves = quarters < square ? nearest - Wide{1} : nearest;
     const Wide floor = halves >> 1;
     const bool is_tie = square == quarters && quarters << down == n << up;
-    const bool goes_up = !is_tie || R != rounding::half_even || is_odd(floor);
+    const bool goes_up = !is_tie || Rounding != rounding::half_even || is_odd(floor);
     return floor + Wide{is_odd(halves) && goes_up};
   }
 }

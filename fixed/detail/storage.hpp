@@ -13,14 +13,14 @@ namespace fixproof::detail {
 
 /// Every integer of 8 to 64 bits except bool and the character types, which a program rarely means
 /// as numbers.
-template <class T>
-concept integer = std::integral<T> && sizeof(T) <= sizeof(std::uint64_t) &&
-                  !std::same_as<std::remove_cv_t<T>, bool> &&
-                  !std::same_as<std::remove_cv_t<T>, char> &&
-                  !std::same_as<std::remove_cv_t<T>, wchar_t> &&
-                  !std::same_as<std::remove_cv_t<T>, char8_t> &&
-                  !std::same_as<std::remove_cv_t<T>, char16_t> &&
-                  !std::same_as<std::remove_cv_t<T>, char32_t>;
+template <class Type>
+concept integer = std::integral<Type> && sizeof(Type) <= sizeof(std::uint64_t) &&
+                  !std::same_as<std::remove_cv_t<Type>, bool> &&
+                  !std::same_as<std::remove_cv_t<Type>, char> &&
+                  !std::same_as<std::remove_cv_t<Type>, wchar_t> &&
+                  !std::same_as<std::remove_cv_t<Type>, char8_t> &&
+                  !std::same_as<std::remove_cv_t<Type>, char16_t> &&
+                  !std::same_as<std::remove_cv_t<Type>, char32_t>;
 
 /// The width of an integer, the sign included.
 template <class Raw>
@@ -29,6 +29,12 @@ inline constexpr int bits_of = std::numeric_limits<Raw>::digits + (std::is_signe
 /// The width of the narrowest signed integer that holds every Raw.
 template <class Raw>
 inline constexpr int signed_bits = std::numeric_limits<Raw>::digits + 1;
+
+/// Holds the product of a RawA and a RawB, a term of a Sum: at most 64 bits if they hold it,
+/// because processors of 32 bits add these to a wider sum with less work.
+template <class RawA, class RawB, class Sum>
+using term_t = std::conditional_t<(signed_bits<RawA> + signed_bits<RawB> <= 65),
+                                  signed_t<signed_bits<RawA> + signed_bits<RawB> - 1>, Sum>;
 
 /// Holds the product of two Raws, and that plus a half ulp.
 template <class Raw>

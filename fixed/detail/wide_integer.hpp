@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "fixed/detail/standard.hpp"
+
 namespace fixproof::detail {
 
 /// 128 bits: the compiler's integer if it has one and FIXED_NO_INT128 is not defined.
@@ -99,26 +101,46 @@ class wide_integer {
 
   constexpr wide_integer operator-() const noexcept { return wide_integer() - *this; }
 
-  friend constexpr wide_integer operator+(wide_integer a, const wide_integer& b) noexcept {
+  constexpr wide_integer& operator+=(const wide_integer& b) noexcept {
     std::uint64_t carry = 0;
     for (std::size_t i = 0; i < Words; ++i) {
-      const std::uint64_t sum = a.words_[i] + carry;
+      const std::uint64_t sum = words_[i] + carry;
       carry = sum < carry ? 1U : 0U;
-      a.words_[i] = sum + b.words_[i];
-      carry += a.words_[i] < sum ? 1U : 0U;
+      words_[i] = sum + b.words_[i];
+      carry += words_[i] < sum ? 1U : 0U;
     }
-    return a;
+    return *this;
   }
-
-  friend constexpr wide_integer operator-(wide_integer a, const wide_integer& b) noexcept {
+  constexpr wide_integer& operator-=(const wide_integer& b) noexcept {
     std::uint64_t borrow = 0;
     for (std::size_t i = 0; i < Words; ++i) {
-      const std::uint64_t difference = a.words_[i] - b.words_[i];
-      const std::uint64_t lost = a.words_[i] < b.words_[i] ? 1U : 0U;
-      a.words_[i] = difference - borrow;
+      const std::uint64_t difference = words_[i] - b.words_[i];
+      const std::uint64_t lost = words_[i] < b.words_[i] ? 1U : 0U;
+      words_[i] = difference - borrow;
       borrow = lost + (difference < borrow ? 1U : 0U);
     }
-    return a;
+    return *this;
+  }
+
+  /// The same for one word, in a third of the instructions of a processor of 32 bits.
+  constexpr wide_integer& operator+=(std::int64_t b) noexcept requires(Words == 2) {
+    const auto low = static_cast<std::uint64_t>(b);
+    words_[0] += low;
+    words_[1] += static_cast<std::uint64_t>(b >> 63) + (words_[0] < low ? 1U : 0U);
+    return *this;
+  }
+  constexpr wide_integer& operator-=(std::int64_t b) noexcept requires(Words == 2) {
+    const auto low = static_cast<std::uint64_t>(b);
+    words_[1] -= static_cast<std::uint64_t>(b >> 63) + (words_[0] < low ? 1U : 0U);
+    words_[0] -= low;
+    return *this;
+  }
+
+  friend constexpr wide_integer operator+(wide_integer a, const wide_integer& b) noexcept {
+    return a += b;
+  }
+  friend constexpr wide_integer operator-(wide_integer a, const wide_integer& b) noexcept {
+    return a -= b;
   }
 
   friend constexpr wide_integer operator*(const wide_integer& a, const wide_integer& b) noexcept {
@@ -190,8 +212,8 @@ class wide_integer {
 
 template <std::size_t Words>
 struct wide_integer<Words>::division {
-  wide_integer quotient;
-  wide_integer remainder;
+  wide_integer quotient{};
+  wide_integer remainder{};
 };
 
 // One bit at a time: only formats of 64 bits come here, a few of 32 without 128-bit integers, and %

@@ -10,6 +10,10 @@ namespace fixproof::detail {
 /// A 128-bit two's complement sum in two words, with room for 2^64 terms of 63 bits.
 class wide_sum {
  public:
+  constexpr wide_sum() noexcept = default;
+  constexpr wide_sum(std::uint64_t low, std::uint64_t high) noexcept
+      : low_(low), high_(static_cast<std::int64_t>(high)) {}
+
   constexpr void add(std::int64_t term) noexcept {
     const auto low = static_cast<std::uint64_t>(term);
     low_ += low;

@@ -18,34 +18,35 @@ namespace fixproof {
 namespace record::detail {
 
 /// Returns the plain number of a plain or a recorded number.
-template <class N>
-constexpr N plain(N x) noexcept {
+template <class Number>
+constexpr Number plain(Number x) noexcept {
   return x;
 }
-template <class N>
-constexpr N plain(recorded_number<N> x) noexcept {
+template <class Number>
+constexpr Number plain(recorded_number<Number> x) noexcept {
   return x.value_;
 }
-template <class T>
+template <class Type>
 struct plain_type_of {
-  using type = T;
+  using type = Type;
 };
-template <class N>
-struct plain_type_of<recorded_number<N>> {
-  using type = N;
+template <class Number>
+struct plain_type_of<recorded_number<Number>> {
+  using type = Number;
 };
 
 /// Returns the result of an operation with recorded numbers in place of plain ones.
-template <class N>
-constexpr std::optional<recorded_number<N>> as_recorded(const std::optional<N>& x) noexcept {
-  return x ? std::optional<recorded_number<N>>(*x) : std::nullopt;
+template <class Number>
+constexpr std::optional<recorded_number<Number>> as_recorded(
+    const std::optional<Number>& x) noexcept {
+  return x ? std::optional<recorded_number<Number>>(*x) : std::nullopt;
 }
-template <class N>
-constexpr overflowing<recorded_number<N>> as_recorded(const overflowing<N>& x) noexcept {
+template <class Number>
+constexpr overflowing<recorded_number<Number>> as_recorded(const overflowing<Number>& x) noexcept {
   return {x.value, x.overflow};
 }
-template <class N>
-constexpr recorded_number<N> as_recorded(N x) noexcept {
+template <class Number>
+constexpr recorded_number<Number> as_recorded(Number x) noexcept {
   return x;
 }
 
@@ -54,9 +55,9 @@ constexpr recorded_number<N> as_recorded(N x) noexcept {
 /// @cond
 // NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): defines functions
 #define FIXPROOF_RECORDED(name, parameters, plain_parameters, ...)                              \
-  template <class N>                                                                            \
+  template <class Number>                                                                       \
   [[nodiscard]] constexpr auto name parameters noexcept {                                       \
-    return record::detail::as_recorded(record::detail::logged<record::kind::name, N>(           \
+    return record::detail::as_recorded(record::detail::logged<record::kind::name, Number>(      \
         from, [] plain_parameters { return fixproof::name FIXPROOF_ARGUMENTS; }, __VA_ARGS__)); \
   }
 #define FIXPROOF_RECORDED_FORMS(operation, parameters, plain_parameters, ...)           \
@@ -64,47 +65,47 @@ constexpr recorded_number<N> as_recorded(N x) noexcept {
   FIXPROOF_RECORDED(overflowing_##operation, parameters, plain_parameters, __VA_ARGS__) \
   FIXPROOF_RECORDED(saturating_##operation, parameters, plain_parameters, __VA_ARGS__)  \
   FIXPROOF_RECORDED(wrapping_##operation, parameters, plain_parameters, __VA_ARGS__)
-#define FIXPROOF_ONE (recorded_number<N> a, record::place from = FIXPROOF_HERE)
+#define FIXPROOF_ONE (recorded_number<Number> a, record::place from = FIXPROOF_HERE)
 #define FIXPROOF_TWO \
-  (recorded_number<N> a, recorded_number<N> b, record::place from = FIXPROOF_HERE)
+  (recorded_number<Number> a, recorded_number<Number> b, record::place from = FIXPROOF_HERE)
 
 #define FIXPROOF_ARGUMENTS (x, y)
-FIXPROOF_RECORDED_FORMS(add, FIXPROOF_TWO, (N x, N y), a.value_, b.value_)
-FIXPROOF_RECORDED_FORMS(subtract, FIXPROOF_TWO, (N x, N y), a.value_, b.value_)
-FIXPROOF_RECORDED_FORMS(multiply, FIXPROOF_TWO, (N x, N y), a.value_, b.value_)
-FIXPROOF_RECORDED_FORMS(divide, FIXPROOF_TWO, (N x, N y), a.value_, b.value_)
-FIXPROOF_RECORDED(checked_remainder, FIXPROOF_TWO, (N x, N y), a.value_, b.value_)
+FIXPROOF_RECORDED_FORMS(add, FIXPROOF_TWO, (Number x, Number y), a.value_, b.value_)
+FIXPROOF_RECORDED_FORMS(subtract, FIXPROOF_TWO, (Number x, Number y), a.value_, b.value_)
+FIXPROOF_RECORDED_FORMS(multiply, FIXPROOF_TWO, (Number x, Number y), a.value_, b.value_)
+FIXPROOF_RECORDED_FORMS(divide, FIXPROOF_TWO, (Number x, Number y), a.value_, b.value_)
+FIXPROOF_RECORDED(checked_remainder, FIXPROOF_TWO, (Number x, Number y), a.value_, b.value_)
 FIXPROOF_RECORDED_FORMS(shift_left,
-                        (recorded_number<N> a, int places, record::place from = FIXPROOF_HERE),
-                        (N x, int y), a.value_, places)
+                        (recorded_number<Number> a, int places, record::place from = FIXPROOF_HERE),
+                        (Number x, int y), a.value_, places)
 #undef FIXPROOF_ARGUMENTS
 #define FIXPROOF_ARGUMENTS (x)
-FIXPROOF_RECORDED_FORMS(negate, FIXPROOF_ONE, (N x), a.value_)
-FIXPROOF_RECORDED_FORMS(abs, FIXPROOF_ONE, (N x), a.value_)
-FIXPROOF_RECORDED(checked_sqrt, FIXPROOF_ONE, (N x), a.value_)
+FIXPROOF_RECORDED_FORMS(negate, FIXPROOF_ONE, (Number x), a.value_)
+FIXPROOF_RECORDED_FORMS(abs, FIXPROOF_ONE, (Number x), a.value_)
+FIXPROOF_RECORDED(checked_sqrt, FIXPROOF_ONE, (Number x), a.value_)
 #undef FIXPROOF_ARGUMENTS
 #define FIXPROOF_ARGUMENTS (x, y, z)
 FIXPROOF_RECORDED_FORMS(mul_add,
-                        (recorded_number<N> a, recorded_number<N> b, recorded_number<N> c,
-                         record::place from = FIXPROOF_HERE),
-                        (N x, N y, N z), a.value_, b.value_, c.value_)
+                        (recorded_number<Number> a, recorded_number<Number> b,
+                         recorded_number<Number> c, record::place from = FIXPROOF_HERE),
+                        (Number x, Number y, Number z), a.value_, b.value_, c.value_)
 #undef FIXPROOF_ARGUMENTS
 #undef FIXPROOF_ONE
 #undef FIXPROOF_TWO
 #undef FIXPROOF_RECORDED_FORMS
 #undef FIXPROOF_RECORDED
 
-#define FIXPROOF_RECORDED_MIXED(name, kind_name)                                                \
-  template <class To, any_number A, any_number B>                                               \
-  requires(record::detail::is_recorded<A> || record::detail::is_recorded<B>)                    \
-      [[nodiscard]] constexpr To                                                                \
-      name(A a, B b, record::place from = FIXPROOF_HERE) noexcept(                              \
-          noexcept(fixproof::name<typename record::detail::plain_type_of<To>::type>(            \
-              record::detail::plain(A()), record::detail::plain(B())))) {                       \
-    using N = typename record::detail::plain_type_of<To>::type;                                 \
-    return record::detail::logged<record::kind::kind_name, N>(                                  \
-        from, [](auto x, auto y) { return fixproof::name<N>(x, y); }, record::detail::plain(a), \
-        record::detail::plain(b));                                                              \
+#define FIXPROOF_RECORDED_MIXED(name, kind_name)                                      \
+  template <class To, any_number First, any_number Second>                            \
+  requires(record::detail::is_recorded<First> || record::detail::is_recorded<Second>) \
+      [[nodiscard]] constexpr To                                                      \
+      name(First a, Second b, record::place from = FIXPROOF_HERE) noexcept(           \
+          noexcept(fixproof::name<typename record::detail::plain_type_of<To>::type>(  \
+              record::detail::plain(First()), record::detail::plain(Second())))) {    \
+    using Number = typename record::detail::plain_type_of<To>::type;                  \
+    return record::detail::logged<record::kind::kind_name, Number>(                   \
+        from, [](auto x, auto y) { return fixproof::name<Number>(x, y); },            \
+        record::detail::plain(a), record::detail::plain(b));                          \
   }
 FIXPROOF_RECORDED_MIXED(add, add_to)
 FIXPROOF_RECORDED_MIXED(subtract, subtract_to)
@@ -116,18 +117,18 @@ FIXPROOF_RECORDED_MIXED(hypot, hypot)
 /// @endcond
 
 /// As ratio() of plain numbers.
-template <class R, detail::integer Int>
-requires record::detail::is_recorded<R>
-[[nodiscard]] constexpr R ratio(Int n, Int d) noexcept(R::divide_never_throws) {
-  using N = typename R::plain_type;
-  return record::detail::logged<record::kind::ratio, N>(
-      record::nowhere, [](Int x, Int y) { return fixproof::ratio<N>(x, y); }, n, d);
+template <class Recorded, detail::integer Int>
+requires record::detail::is_recorded<Recorded>
+[[nodiscard]] constexpr Recorded ratio(Int n, Int d) noexcept(Recorded::divide_never_throws) {
+  using Number = typename Recorded::plain_type;
+  return record::detail::logged<record::kind::ratio, Number>(
+      record::nowhere, [](Int x, Int y) { return fixproof::ratio<Number>(x, y); }, n, d);
 }
 
 /// The accumulator of recorded numbers. It records every term and the result.
-template <class N>
-class accumulator<recorded_number<N>> {
-  using recorded = recorded_number<N>;
+template <class Number, std::uint64_t Terms>
+class accumulator<recorded_number<Number>, Terms> {
+  using recorded = recorded_number<Number>;
 
  public:
   /// Zero.
@@ -159,8 +160,8 @@ class accumulator<recorded_number<N>> {
 
   /// The sum, rounded once.
   [[nodiscard]] constexpr recorded result(record::place from = FIXPROOF_HERE) const
-      noexcept(N::multiply_never_throws) {
-    return record::detail::logged<record::kind::accumulator_result, N>(
+      noexcept(Number::multiply_never_throws) {
+    return record::detail::logged<record::kind::accumulator_result, Number>(
         from, [this] { return sum_.result(); });
   }
   /// The sum as a To, rounded once.
@@ -173,13 +174,13 @@ class accumulator<recorded_number<N>> {
   }
 
  private:
-  template <record::kind K, class... Operands>
+  template <record::kind Kind, class... Operands>
   constexpr accumulator& noted(record::place from, Operands... operands) noexcept {
-    if (!std::is_constant_evaluated()) record::detail::note_term<K, N>(from, operands...);
+    if (!std::is_constant_evaluated()) record::detail::note_term<Kind, Number>(from, operands...);
     return *this;
   }
 
-  accumulator<N> sum_;
+  accumulator<Number, Terms> sum_;
 };
 
 }  // namespace fixproof

@@ -11,127 +11,127 @@ namespace fixproof::record {
 // operations get numbers from 117 to 122.
 // NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): makes an enumeration and
 // its names
-/// Calls X(number, name, text) for every kind of record.
-#define FIXPROOF_RECORD_KINDS(X)                                        \
-  X(1, add, "a + b")                                                    \
-  X(2, subtract, "a - b")                                               \
-  X(3, multiply, "a * b")                                               \
-  X(4, divide, "a / b")                                                 \
-  X(5, remainder, "a % b")                                              \
-  X(6, shift_left, "a << n")                                            \
-  X(7, shift_right, "a >> n")                                           \
-  X(8, negate, "-a")                                                    \
-  X(9, add_integer, "a + integer")                                      \
-  X(10, subtract_integer, "a - integer")                                \
-  X(11, integer_subtract, "integer - a")                                \
-  X(12, multiply_integer, "a * integer")                                \
-  X(13, divide_integer, "a / integer")                                  \
-  X(14, remainder_integer, "a % integer")                               \
-  X(15, from_raw, "from_raw")                                           \
-  X(16, convert, "conversion")                                          \
-  X(17, from_text, "from_chars")                                        \
-  X(19, try_divide, "try_divide")                                       \
-  X(20, checked_add, "checked_add")                                     \
-  X(21, overflowing_add, "overflowing_add")                             \
-  X(22, saturating_add, "saturating_add")                               \
-  X(23, wrapping_add, "wrapping_add")                                   \
-  X(24, checked_subtract, "checked_subtract")                           \
-  X(25, overflowing_subtract, "overflowing_subtract")                   \
-  X(26, saturating_subtract, "saturating_subtract")                     \
-  X(27, wrapping_subtract, "wrapping_subtract")                         \
-  X(28, checked_multiply, "checked_multiply")                           \
-  X(29, overflowing_multiply, "overflowing_multiply")                   \
-  X(30, saturating_multiply, "saturating_multiply")                     \
-  X(31, wrapping_multiply, "wrapping_multiply")                         \
-  X(32, checked_mul_add, "checked_mul_add")                             \
-  X(33, overflowing_mul_add, "overflowing_mul_add")                     \
-  X(34, saturating_mul_add, "saturating_mul_add")                       \
-  X(35, wrapping_mul_add, "wrapping_mul_add")                           \
-  X(36, checked_negate, "checked_negate")                               \
-  X(37, overflowing_negate, "overflowing_negate")                       \
-  X(38, saturating_negate, "saturating_negate")                         \
-  X(39, wrapping_negate, "wrapping_negate")                             \
-  X(40, checked_abs, "checked_abs")                                     \
-  X(41, overflowing_abs, "overflowing_abs")                             \
-  X(42, saturating_abs, "saturating_abs")                               \
-  X(43, wrapping_abs, "wrapping_abs")                                   \
-  X(44, checked_shift_left, "checked_shift_left")                       \
-  X(45, overflowing_shift_left, "overflowing_shift_left")               \
-  X(46, saturating_shift_left, "saturating_shift_left")                 \
-  X(47, wrapping_shift_left, "wrapping_shift_left")                     \
-  X(48, checked_divide, "checked_divide")                               \
-  X(49, overflowing_divide, "overflowing_divide")                       \
-  X(50, saturating_divide, "saturating_divide")                         \
-  X(51, wrapping_divide, "wrapping_divide")                             \
-  X(52, checked_remainder, "checked_remainder")                         \
-  X(53, checked_sqrt, "checked_sqrt")                                   \
-  X(54, floor, "floor")                                                 \
-  X(55, ceil, "ceil")                                                   \
-  X(56, round, "round")                                                 \
-  X(57, trunc, "trunc")                                                 \
-  X(58, abs, "abs")                                                     \
-  X(59, min, "min")                                                     \
-  X(60, max, "max")                                                     \
-  X(61, sqrt, "sqrt")                                                   \
-  X(62, mul_add, "mul_add")                                             \
-  X(63, lerp, "lerp")                                                   \
-  X(64, dot, "dot")                                                     \
-  X(65, fmod, "fmod")                                                   \
-  X(66, remquo, "remquo")                                               \
-  X(67, nearest_remainder, "remainder")                                 \
-  X(68, modf, "modf")                                                   \
-  X(69, rint, "rint")                                                   \
-  X(70, copysign, "copysign")                                           \
-  X(71, nextafter, "nextafter")                                         \
-  X(72, sin, "sin")                                                     \
-  X(73, cos, "cos")                                                     \
-  X(74, sin_cos, "sin_cos")                                             \
-  X(75, tan, "tan")                                                     \
-  X(76, sin_of_tenths, "sin_of_tenths")                                 \
-  X(77, cos_of_tenths, "cos_of_tenths")                                 \
-  X(78, sin_cos_of_tenths, "sin_cos_of_tenths")                         \
-  X(79, sin_of_degrees, "sin_of_degrees")                               \
-  X(80, cos_of_degrees, "cos_of_degrees")                               \
-  X(81, tan_of_degrees, "tan_of_degrees")                               \
-  X(82, sin_of_turns, "sin_of_turns")                                   \
-  X(83, cos_of_turns, "cos_of_turns")                                   \
-  X(84, tan_of_turns, "tan_of_turns")                                   \
-  X(85, exp, "exp")                                                     \
-  X(86, exp2, "exp2")                                                   \
-  X(87, expm1, "expm1")                                                 \
-  X(88, log, "log")                                                     \
-  X(89, log1p, "log1p")                                                 \
-  X(90, log2, "log2")                                                   \
-  X(91, log10, "log10")                                                 \
-  X(92, sinh, "sinh")                                                   \
-  X(93, cosh, "cosh")                                                   \
-  X(94, tanh, "tanh")                                                   \
-  X(95, cbrt, "cbrt")                                                   \
-  X(96, rsqrt, "rsqrt")                                                 \
-  X(97, reciprocal, "reciprocal")                                       \
-  X(98, hypot, "hypot")                                                 \
-  X(99, pow, "pow")                                                     \
-  X(100, atan, "atan")                                                  \
-  X(101, atan2, "atan2")                                                \
-  X(102, asin, "asin")                                                  \
-  X(103, acos, "acos")                                                  \
-  X(104, add_to, "add<To>")                                             \
-  X(105, subtract_to, "subtract<To>")                                   \
-  X(106, multiply_to, "multiply<To>")                                   \
-  X(107, divide_to, "divide<To>")                                       \
-  X(108, mul_div, "mul_div")                                            \
-  X(109, ratio, "ratio")                                                \
-  X(110, accumulator_add, "accumulator::add")                           \
-  X(111, accumulator_subtract, "accumulator::subtract")                 \
-  X(112, accumulator_add_product, "accumulator::add_product")           \
-  X(113, accumulator_subtract_product, "accumulator::subtract_product") \
-  X(114, accumulator_result, "accumulator::result")                     \
-  X(115, sin_cos_of_degrees, "sin_cos_of_degrees")                      \
-  X(116, sin_cos_of_turns, "sin_cos_of_turns")                          \
-  X(123, input, "input")                                                \
-  X(124, frame, "frame")                                                \
-  X(125, mark, "mark")                                                  \
-  X(126, place, "place")
+/// Calls ROW(number, name, text) for every kind of record.
+#define FIXPROOF_RECORD_KINDS(ROW)                                        \
+  ROW(1, add, "a + b")                                                    \
+  ROW(2, subtract, "a - b")                                               \
+  ROW(3, multiply, "a * b")                                               \
+  ROW(4, divide, "a / b")                                                 \
+  ROW(5, remainder, "a % b")                                              \
+  ROW(6, shift_left, "a << n")                                            \
+  ROW(7, shift_right, "a >> n")                                           \
+  ROW(8, negate, "-a")                                                    \
+  ROW(9, add_integer, "a + integer")                                      \
+  ROW(10, subtract_integer, "a - integer")                                \
+  ROW(11, integer_subtract, "integer - a")                                \
+  ROW(12, multiply_integer, "a * integer")                                \
+  ROW(13, divide_integer, "a / integer")                                  \
+  ROW(14, remainder_integer, "a % integer")                               \
+  ROW(15, from_raw, "from_raw")                                           \
+  ROW(16, convert, "conversion")                                          \
+  ROW(17, from_text, "from_chars")                                        \
+  ROW(19, try_divide, "try_divide")                                       \
+  ROW(20, checked_add, "checked_add")                                     \
+  ROW(21, overflowing_add, "overflowing_add")                             \
+  ROW(22, saturating_add, "saturating_add")                               \
+  ROW(23, wrapping_add, "wrapping_add")                                   \
+  ROW(24, checked_subtract, "checked_subtract")                           \
+  ROW(25, overflowing_subtract, "overflowing_subtract")                   \
+  ROW(26, saturating_subtract, "saturating_subtract")                     \
+  ROW(27, wrapping_subtract, "wrapping_subtract")                         \
+  ROW(28, checked_multiply, "checked_multiply")                           \
+  ROW(29, overflowing_multiply, "overflowing_multiply")                   \
+  ROW(30, saturating_multiply, "saturating_multiply")                     \
+  ROW(31, wrapping_multiply, "wrapping_multiply")                         \
+  ROW(32, checked_mul_add, "checked_mul_add")                             \
+  ROW(33, overflowing_mul_add, "overflowing_mul_add")                     \
+  ROW(34, saturating_mul_add, "saturating_mul_add")                       \
+  ROW(35, wrapping_mul_add, "wrapping_mul_add")                           \
+  ROW(36, checked_negate, "checked_negate")                               \
+  ROW(37, overflowing_negate, "overflowing_negate")                       \
+  ROW(38, saturating_negate, "saturating_negate")                         \
+  ROW(39, wrapping_negate, "wrapping_negate")                             \
+  ROW(40, checked_abs, "checked_abs")                                     \
+  ROW(41, overflowing_abs, "overflowing_abs")                             \
+  ROW(42, saturating_abs, "saturating_abs")                               \
+  ROW(43, wrapping_abs, "wrapping_abs")                                   \
+  ROW(44, checked_shift_left, "checked_shift_left")                       \
+  ROW(45, overflowing_shift_left, "overflowing_shift_left")               \
+  ROW(46, saturating_shift_left, "saturating_shift_left")                 \
+  ROW(47, wrapping_shift_left, "wrapping_shift_left")                     \
+  ROW(48, checked_divide, "checked_divide")                               \
+  ROW(49, overflowing_divide, "overflowing_divide")                       \
+  ROW(50, saturating_divide, "saturating_divide")                         \
+  ROW(51, wrapping_divide, "wrapping_divide")                             \
+  ROW(52, checked_remainder, "checked_remainder")                         \
+  ROW(53, checked_sqrt, "checked_sqrt")                                   \
+  ROW(54, floor, "floor")                                                 \
+  ROW(55, ceil, "ceil")                                                   \
+  ROW(56, round, "round")                                                 \
+  ROW(57, trunc, "trunc")                                                 \
+  ROW(58, abs, "abs")                                                     \
+  ROW(59, min, "min")                                                     \
+  ROW(60, max, "max")                                                     \
+  ROW(61, sqrt, "sqrt")                                                   \
+  ROW(62, mul_add, "mul_add")                                             \
+  ROW(63, lerp, "lerp")                                                   \
+  ROW(64, dot, "dot")                                                     \
+  ROW(65, fmod, "fmod")                                                   \
+  ROW(66, remquo, "remquo")                                               \
+  ROW(67, nearest_remainder, "remainder")                                 \
+  ROW(68, modf, "modf")                                                   \
+  ROW(69, rint, "rint")                                                   \
+  ROW(70, copysign, "copysign")                                           \
+  ROW(71, nextafter, "nextafter")                                         \
+  ROW(72, sin, "sin")                                                     \
+  ROW(73, cos, "cos")                                                     \
+  ROW(74, sin_cos, "sin_cos")                                             \
+  ROW(75, tan, "tan")                                                     \
+  ROW(76, sin_of_tenths, "sin_of_tenths")                                 \
+  ROW(77, cos_of_tenths, "cos_of_tenths")                                 \
+  ROW(78, sin_cos_of_tenths, "sin_cos_of_tenths")                         \
+  ROW(79, sin_of_degrees, "sin_of_degrees")                               \
+  ROW(80, cos_of_degrees, "cos_of_degrees")                               \
+  ROW(81, tan_of_degrees, "tan_of_degrees")                               \
+  ROW(82, sin_of_turns, "sin_of_turns")                                   \
+  ROW(83, cos_of_turns, "cos_of_turns")                                   \
+  ROW(84, tan_of_turns, "tan_of_turns")                                   \
+  ROW(85, exp, "exp")                                                     \
+  ROW(86, exp2, "exp2")                                                   \
+  ROW(87, expm1, "expm1")                                                 \
+  ROW(88, log, "log")                                                     \
+  ROW(89, log1p, "log1p")                                                 \
+  ROW(90, log2, "log2")                                                   \
+  ROW(91, log10, "log10")                                                 \
+  ROW(92, sinh, "sinh")                                                   \
+  ROW(93, cosh, "cosh")                                                   \
+  ROW(94, tanh, "tanh")                                                   \
+  ROW(95, cbrt, "cbrt")                                                   \
+  ROW(96, rsqrt, "rsqrt")                                                 \
+  ROW(97, reciprocal, "reciprocal")                                       \
+  ROW(98, hypot, "hypot")                                                 \
+  ROW(99, pow, "pow")                                                     \
+  ROW(100, atan, "atan")                                                  \
+  ROW(101, atan2, "atan2")                                                \
+  ROW(102, asin, "asin")                                                  \
+  ROW(103, acos, "acos")                                                  \
+  ROW(104, add_to, "add<To>")                                             \
+  ROW(105, subtract_to, "subtract<To>")                                   \
+  ROW(106, multiply_to, "multiply<To>")                                   \
+  ROW(107, divide_to, "divide<To>")                                       \
+  ROW(108, mul_div, "mul_div")                                            \
+  ROW(109, ratio, "ratio")                                                \
+  ROW(110, accumulator_add, "accumulator::add")                           \
+  ROW(111, accumulator_subtract, "accumulator::subtract")                 \
+  ROW(112, accumulator_add_product, "accumulator::add_product")           \
+  ROW(113, accumulator_subtract_product, "accumulator::subtract_product") \
+  ROW(114, accumulator_result, "accumulator::result")                     \
+  ROW(115, sin_cos_of_degrees, "sin_cos_of_degrees")                      \
+  ROW(116, sin_cos_of_turns, "sin_cos_of_turns")                          \
+  ROW(123, input, "input")                                                \
+  ROW(124, frame, "frame")                                                \
+  ROW(125, mark, "mark")                                                  \
+  ROW(126, place, "place")
 
 /// The kind of a record: an operation of the type, or what the program reports about the run.
 enum class kind : std::uint8_t {

@@ -35,9 +35,9 @@ constexpr std::uint32_t class_code(value_class c) noexcept { return static_cast<
 /// Returns an integer in two's complement, extended to 64 bits by its sign.
 constexpr word bits_of(std::integral auto integer) noexcept { return static_cast<word>(integer); }
 
-template <class Raw, int F, policy P>
-constexpr value value_of(number<Raw, F, P> x) noexcept {
-  return {type_code<number<Raw, F, P>>, bits_of(x.raw())};
+template <class Raw, int Point, policy Rules>
+constexpr value value_of(number<Raw, Point, Rules> x) noexcept {
+  return {type_code<number<Raw, Point, Rules>>, bits_of(x.raw())};
 }
 template <std::integral Int>
 constexpr value value_of(Int x) noexcept {
@@ -56,25 +56,26 @@ constexpr value value_of(digest x) noexcept { return {class_code(value_class::di
 
 /// A result may be a number or an integer, an optional number, a number and whether it overflowed,
 /// or two values.
-template <class T>
-constexpr std::array<value, 1> values_of(const T& x) noexcept {
+template <class Type>
+constexpr std::array<value, 1> values_of(const Type& x) noexcept {
   return {value_of(x)};
 }
-template <class Raw, int F, policy P>
-constexpr std::array<value, 1> values_of(const std::optional<number<Raw, F, P>>& x) noexcept {
-  if (!x) return {value{type_code<number<Raw, F, P>> | class_code(value_class::none), 0}};
+template <class Raw, int Point, policy Rules>
+constexpr std::array<value, 1> values_of(
+    const std::optional<number<Raw, Point, Rules>>& x) noexcept {
+  if (!x) return {value{type_code<number<Raw, Point, Rules>> | class_code(value_class::none), 0}};
   return {value_of(*x)};
 }
-template <class Raw, int F, policy P>
-constexpr std::array<value, 2> values_of(const overflowing<number<Raw, F, P>>& x) noexcept {
+template <class Raw, int Point, policy Rules>
+constexpr std::array<value, 2> values_of(const overflowing<number<Raw, Point, Rules>>& x) noexcept {
   return {value_of(x.value), value_of(x.overflow)};
 }
-template <class Raw, int F, policy P>
-constexpr std::array<value, 2> values_of(const cos_sin<number<Raw, F, P>>& x) noexcept {
-  return {value_of(x.cos), value_of(x.sin)};
+template <class Raw, int Point, policy Rules>
+constexpr std::array<value, 2> values_of(const sin_and_cos<number<Raw, Point, Rules>>& x) noexcept {
+  return {value_of(x.sin), value_of(x.cos)};
 }
-template <class A, class B>
-constexpr std::array<value, 2> values_of(const std::pair<A, B>& x) noexcept {
+template <class First, class Second>
+constexpr std::array<value, 2> values_of(const std::pair<First, Second>& x) noexcept {
   return {value_of(x.first), value_of(x.second)};
 }
 /// \}
@@ -101,9 +102,9 @@ inline void note_long(word first, place from, const std::array<value, Operands>&
 
 /// Records one or two operands that have the type of the result. The second one may be an integer
 /// of 32 bits.
-template <kind K, class Number>
+template <kind Kind, class Number>
 FIXED_INLINE inline void note_short(place from, word a, word b, Number result) noexcept {
-  constexpr word tag = type_code<Number> | static_cast<std::uint32_t>(K);
+  constexpr word tag = type_code<Number> | static_cast<std::uint32_t>(Kind);
   const word c = bits_of(result.raw());
   if constexpr (sizeof(typename Number::raw_type) == 8) {
     put(std::array<word, 4>{tag, a, b, c}, from);
@@ -113,56 +114,58 @@ FIXED_INLINE inline void note_short(place from, word a, word b, Number result) n
 }
 
 /// Records a number that comes from outside.
-template <kind K, class Number>
+template <kind Kind, class Number>
 FIXED_INLINE inline void note_input(place from, Number x) noexcept {
-  note_short<K>(from, 0, 0, x);
+  note_short<Kind>(from, 0, 0, x);
 }
 
 /// Records an operation whose operands are numbers and integers.
-template <kind K, class Number, class Result, class... Operands>
+template <kind Kind, class Number, class Result, class... Operands>
 FIXED_INLINE inline void note_exact(place from, const Result& result,
                                     const Operands&... operands) noexcept {
   if constexpr (std::same_as<Result, Number>) {
     if constexpr (sizeof...(Operands) <= 2 && (std::same_as<Operands, Number> && ...)) {
-      static_assert(sizeof...(Operands) == short_operands(K), "desync would show other operands");
+      static_assert(sizeof...(Operands) == short_operands(Kind),
+                    "desync would show other operands");
       const std::array<word, 3> raw{bits_of(operands.raw())...};
-      note_short<K>(from, raw[0], raw[1], result);
+      note_short<Kind>(from, raw[0], raw[1], result);
       return;
-    } else if constexpr (has_integer(K)) {
+    } else if constexpr (has_integer(Kind)) {
       const auto write = [&](Number a, auto b) FIXED_INLINE {
         if (!std::in_range<std::int32_t>(b)) return false;
-        note_short<K>(from, bits_of(a.raw()), bits_of(b), result);
+        note_short<Kind>(from, bits_of(a.raw()), bits_of(b), result);
         return true;
       };
       if (write(operands...)) return;
     }
   }
   const std::array<value, sizeof...(Operands)> values{value_of(operands)...};
-  note_long(word{type_code<Number>} | static_cast<word>(K), from, values, values_of(result));
+  note_long(word{type_code<Number>} | static_cast<word>(Kind), from, values, values_of(result));
 }
 
 /// Records an operation of the type `Number`.
-template <kind K, class Number, class Result, class... Operands>
+template <kind Kind, class Number, class Result, class... Operands>
 FIXED_INLINE inline void note(place from, const Result& result,
                               const Operands&... operands) noexcept {
   if constexpr ((std::floating_point<Operands> || ...)) {
     (put_input(static_cast<double>(operands)), ...);
-    note_input<K>(from, result);
+    note_input<Kind>(from, result);
   } else {
-    note_exact<K, Number>(from, result, operands...);
+    note_exact<Kind, Number>(from, result, operands...);
   }
 }
 /// Records an operation without a result, a term of a sum.
-template <kind K, class Number, class... Operands>
+template <kind Kind, class Number, class... Operands>
 inline void note_term(place from, const Operands&... operands) noexcept {
   const std::array<value, sizeof...(Operands)> values{value_of(operands)...};
-  note_long(word{type_code<Number>} | static_cast<word>(K), from, values, std::array<value, 0>{});
+  note_long(word{type_code<Number>} | static_cast<word>(Kind), from, values,
+            std::array<value, 0>{});
 }
 
 /// Records an operation that threw.
-template <kind K, class Number, class... Operands>
+template <kind Kind, class Number, class... Operands>
 inline void note_throw(place from, const Operands&... operands) noexcept {
-  constexpr word first = type_code<Number> | static_cast<word>(K) | long_threw;
+  constexpr word first = type_code<Number> | static_cast<word>(Kind) | long_threw;
   constexpr std::array<value, 0> nothing{};
   if constexpr ((std::floating_point<Operands> || ...)) {
     (put_input(static_cast<double>(operands)), ...);
@@ -174,7 +177,7 @@ inline void note_throw(place from, const Operands&... operands) noexcept {
 }
 
 /// Returns `compute(operands...)`, and records the operation except in constant expressions.
-template <kind K, class Number, class Compute, class... Operands>
+template <kind Kind, class Number, class Compute, class... Operands>
 FIXED_INLINE constexpr auto logged(place from, const Compute& compute,
                                    const Operands&... operands) {
   if (std::is_constant_evaluated()) return compute(operands...);
@@ -183,17 +186,17 @@ FIXED_INLINE constexpr auto logged(place from, const Compute& compute,
                 !Number::divide_never_throws) {
     try {
       const auto result = compute(operands...);
-      note<K, Number>(from, result, operands...);
+      note<Kind, Number>(from, result, operands...);
       return result;
     } catch (...) {
-      note_throw<K, Number>(from, operands...);
+      note_throw<Kind, Number>(from, operands...);
       throw;
     }
   } else
 #endif
   {
     const auto result = compute(operands...);
-    note<K, Number>(from, result, operands...);
+    note<Kind, Number>(from, result, operands...);
     return result;
   }
 }

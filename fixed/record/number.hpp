@@ -18,7 +18,7 @@ class recorded_number;
 
 namespace record::detail {
 
-template <class T>
+template <class Type>
 inline constexpr bool is_recorded = false;
 template <class Number>
 inline constexpr bool is_recorded<recorded_number<Number>> = true;
@@ -102,9 +102,9 @@ class recorded_number {
   explicit constexpr recorded_number(Float x,
                                      record::place from = FIXPROOF_HERE) noexcept(never_throws)
       : value_(converted(x, from)) {}
-  template <class Raw, int F, policy P>
-  requires(!std::same_as<number<Raw, F, P>, Number>) explicit constexpr recorded_number(
-      number<Raw, F, P> x, record::place from = FIXPROOF_HERE) noexcept(never_throws)
+  template <class Raw, int Point, policy Rules>
+  requires(!std::same_as<number<Raw, Point, Rules>, Number>) explicit constexpr recorded_number(
+      number<Raw, Point, Rules> x, record::place from = FIXPROOF_HERE) noexcept(never_throws)
       : value_(converted(x, from)) {}
   template <class Other>
   requires(!std::same_as<Other, Number>) explicit constexpr recorded_number(
@@ -129,9 +129,9 @@ class recorded_number {
     }
     return result;
   }
-  template <class T>
-  requires std::is_floating_point_v<T>
-  static recorded_number from_raw(T, record::place = {}) = delete;
+  template <class Type>
+  requires std::is_floating_point_v<Type>
+  static recorded_number from_raw(Type, record::place = {}) = delete;
 
   /// The stored integer.
   [[nodiscard]] constexpr raw_type raw() const noexcept { return value_.raw(); }

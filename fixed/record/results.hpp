@@ -14,23 +14,23 @@ namespace fixproof {
 /// @cond
 // NOLINTBEGIN(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): defines functions
 #define FIXPROOF_RECORDED_TO(name, kind_name)                                                      \
-  template <class To, class N>                                                                     \
+  template <class To, class Number>                                                                \
   requires any_number<To>                                                                          \
-  [[nodiscard]] constexpr To name(recorded_number<N> x,                                            \
+  [[nodiscard]] constexpr To name(recorded_number<Number> x,                                       \
                                   record::place from = FIXPROOF_HERE) noexcept(To::never_throws) { \
     using result = typename record::detail::plain_type_of<To>::type;                               \
     return record::detail::logged<record::kind::kind_name, result>(                                \
-        from, [](N a) { return fixproof::name<result>(a); }, x.value_);                            \
+        from, [](Number a) { return fixproof::name<result>(a); }, x.value_);                       \
   }
-#define FIXPROOF_RECORDED_COS_SIN_TO(name)                                                   \
-  template <class To, class N>                                                               \
-  requires any_number<To>                                                                    \
-  [[nodiscard]] constexpr cos_sin<To> name(                                                  \
-      recorded_number<N> x, record::place from = FIXPROOF_HERE) noexcept(To::never_throws) { \
-    using result = typename record::detail::plain_type_of<To>::type;                         \
-    const cos_sin<result> both = record::detail::logged<record::kind::name, result>(         \
-        from, [](N a) { return fixproof::name<result>(a); }, x.value_);                      \
-    return {both.cos, both.sin};                                                             \
+#define FIXPROOF_RECORDED_SIN_COS_TO(name)                                                        \
+  template <class To, class Number>                                                               \
+  requires any_number<To>                                                                         \
+  [[nodiscard]] constexpr sin_and_cos<To> name(                                                   \
+      recorded_number<Number> x, record::place from = FIXPROOF_HERE) noexcept(To::never_throws) { \
+    using result = typename record::detail::plain_type_of<To>::type;                              \
+    const sin_and_cos<result> both = record::detail::logged<record::kind::name, result>(          \
+        from, [](Number a) { return fixproof::name<result>(a); }, x.value_);                      \
+    return {both.sin, both.cos};                                                                  \
   }
 // NOLINTEND(cppcoreguidelines-macro-usage,bugprone-macro-parentheses)
 
@@ -44,9 +44,9 @@ FIXPROOF_RECORDED_TO(tan_of_degrees, tan_of_degrees)
 FIXPROOF_RECORDED_TO(sin_of_turns, sin_of_turns)
 FIXPROOF_RECORDED_TO(cos_of_turns, cos_of_turns)
 FIXPROOF_RECORDED_TO(tan_of_turns, tan_of_turns)
-FIXPROOF_RECORDED_COS_SIN_TO(sin_cos)
-FIXPROOF_RECORDED_COS_SIN_TO(sin_cos_of_degrees)
-FIXPROOF_RECORDED_COS_SIN_TO(sin_cos_of_turns)
+FIXPROOF_RECORDED_SIN_COS_TO(sin_cos)
+FIXPROOF_RECORDED_SIN_COS_TO(sin_cos_of_degrees)
+FIXPROOF_RECORDED_SIN_COS_TO(sin_cos_of_turns)
 FIXPROOF_RECORDED_TO(exp, exp)
 FIXPROOF_RECORDED_TO(exp2, exp2)
 FIXPROOF_RECORDED_TO(expm1, expm1)
@@ -61,26 +61,28 @@ FIXPROOF_RECORDED_TO(atan, atan)
 FIXPROOF_RECORDED_TO(asin, asin)
 FIXPROOF_RECORDED_TO(acos, acos)
 #undef FIXPROOF_RECORDED_TO
-#undef FIXPROOF_RECORDED_COS_SIN_TO
+#undef FIXPROOF_RECORDED_SIN_COS_TO
 /// @endcond
 
 /// As atan2<To>() of plain numbers.
-template <class To, class N>
+template <class To, class Number>
 requires any_number<To>
-[[nodiscard]] constexpr To atan2(recorded_number<N> y, std::type_identity_t<recorded_number<N>> x,
+[[nodiscard]] constexpr To atan2(recorded_number<Number> y,
+                                 std::type_identity_t<recorded_number<Number>> x,
                                  record::place from = FIXPROOF_HERE) noexcept(To::never_throws) {
   using result = typename record::detail::plain_type_of<To>::type;
   return record::detail::logged<record::kind::atan2, result>(
-      from, [](N a, N b) { return fixproof::atan2<result>(a, b); }, y.value_, x.value_);
+      from, [](Number a, Number b) { return fixproof::atan2<result>(a, b); }, y.value_, x.value_);
 }
 /// As hypot<To>() of plain numbers.
-template <class To, any_number A, any_number B, any_number C>
-requires(record::detail::is_recorded<A> || record::detail::is_recorded<B> ||
-         record::detail::is_recorded<C>) [[nodiscard]] constexpr To
-    hypot(A x, B y, C z, record::place from = FIXPROOF_HERE) noexcept(To::never_throws) {
-  using N = typename record::detail::plain_type_of<To>::type;
-  return record::detail::logged<record::kind::hypot, N>(
-      from, [](auto a, auto b, auto c) { return fixproof::hypot<N>(a, b, c); },
+template <class To, any_number First, any_number Second, any_number Third>
+requires(record::detail::is_recorded<First> || record::detail::is_recorded<Second> ||
+         record::detail::is_recorded<Third>) [[nodiscard]] constexpr To
+    hypot(First x, Second y, Third z,
+          record::place from = FIXPROOF_HERE) noexcept(To::never_throws) {
+  using Number = typename record::detail::plain_type_of<To>::type;
+  return record::detail::logged<record::kind::hypot, Number>(
+      from, [](auto a, auto b, auto c) { return fixproof::hypot<Number>(a, b, c); },
       record::detail::plain(x), record::detail::plain(y), record::detail::plain(z));
 }
 

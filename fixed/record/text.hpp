@@ -23,51 +23,52 @@ namespace fixproof {
 /// \{
 
 /// As that of plain numbers. Reading is recorded, and writing is not.
-template <class N>
-constexpr std::to_chars_result to_chars(char* first, char* last, recorded_number<N> x) noexcept {
+template <class Number>
+constexpr std::to_chars_result to_chars(char* first, char* last,
+                                        recorded_number<Number> x) noexcept {
   return fixproof::to_chars(first, last, x.value_);
 }
-template <class N>
+template <class Number>
 constexpr std::from_chars_result from_chars(const char* first, const char* last,
-                                            recorded_number<N>& x,
+                                            recorded_number<Number>& x,
                                             record::place from = FIXPROOF_HERE) noexcept {
   const std::from_chars_result read = fixproof::from_chars(first, last, x.value_);
   if (read.ec == std::errc{} && !std::is_constant_evaluated()) {
-    record::detail::note_input<record::kind::from_text, N>(from, x.value_);
+    record::detail::note_input<record::kind::from_text, Number>(from, x.value_);
   }
   return read;
 }
-template <class N>
-std::string to_string(recorded_number<N> x) {
+template <class Number>
+std::string to_string(recorded_number<Number> x) {
   return fixproof::to_string(x.value_);
 }
-template <class Traits, class N>
+template <class Traits, class Number>
 std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
-                                             recorded_number<N> x) {
+                                             recorded_number<Number> x) {
   return out << x.value_;
 }
-template <class Traits, class N>
+template <class Traits, class Number>
 std::basic_istream<char, Traits>& operator>>(std::basic_istream<char, Traits>& in,
-                                             recorded_number<N>& x) {
+                                             recorded_number<Number>& x) {
   in >> x.value_;
-  if (in) record::detail::note_input<record::kind::from_text, N>(record::nowhere, x.value_);
+  if (in) record::detail::note_input<record::kind::from_text, Number>(record::nowhere, x.value_);
   return in;
 }
 /// \}
 
 /// Returns the bytes of the plain number.
-template <std::endian Order, class N>
-[[nodiscard]] constexpr auto to_bytes(recorded_number<N> x) noexcept {
+template <std::endian Order, class Number>
+[[nodiscard]] constexpr auto to_bytes(recorded_number<Number> x) noexcept {
   return fixproof::to_bytes<Order>(x.value_);
 }
 
 }  // namespace fixproof
 
 /// The limits of the plain number, as recorded numbers.
-template <class N>
-class std::numeric_limits<fixproof::recorded_number<N>> : public std::numeric_limits<N> {
-  using plain = std::numeric_limits<N>;
-  using recorded = fixproof::recorded_number<N>;
+template <class Number>
+class std::numeric_limits<fixproof::recorded_number<Number>> : public std::numeric_limits<Number> {
+  using plain = std::numeric_limits<Number>;
+  using recorded = fixproof::recorded_number<Number>;
 
  public:
   /// @name As those of the plain number
@@ -87,33 +88,33 @@ class std::numeric_limits<fixproof::recorded_number<N>> : public std::numeric_li
 };
 
 /// The hash of the plain number.
-template <class N>
-struct std::hash<fixproof::recorded_number<N>> {
+template <class Number>
+struct std::hash<fixproof::recorded_number<Number>> {
   /// Returns the hash of the plain number.
-  std::size_t operator()(fixproof::recorded_number<N> x) const noexcept {
-    return std::hash<N>{}(x.plain());
+  std::size_t operator()(fixproof::recorded_number<Number> x) const noexcept {
+    return std::hash<Number>{}(x.plain());
   }
 };
 
 /// The common type with an integer, as for the plain number.
-template <class N, fixproof::detail::integer Int>
-struct std::common_type<fixproof::recorded_number<N>, Int> {
+template <class Number, fixproof::detail::integer Int>
+struct std::common_type<fixproof::recorded_number<Number>, Int> {
   /// The recorded number.
-  using type = fixproof::recorded_number<N>;
+  using type = fixproof::recorded_number<Number>;
 };
 /// The same with the integer first.
-template <fixproof::detail::integer Int, class N>
-struct std::common_type<Int, fixproof::recorded_number<N>> {
+template <fixproof::detail::integer Int, class Number>
+struct std::common_type<Int, fixproof::recorded_number<Number>> {
   /// The recorded number.
-  using type = fixproof::recorded_number<N>;
+  using type = fixproof::recorded_number<Number>;
 };
 
 /// @cond
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): defines a constant
-#define FIXPROOF_RECORDED_CONSTANT(name)                                                           \
-  template <class N>                                                                               \
-  inline constexpr fixproof::recorded_number<N> std::numbers::name<fixproof::recorded_number<N>> = \
-      std::numbers::name<N>;
+#define FIXPROOF_RECORDED_CONSTANT(name)             \
+  template <class Number>                            \
+  inline constexpr fixproof::recorded_number<Number> \
+      std::numbers::name<fixproof::recorded_number<Number>> = std::numbers::name<Number>;
 FIXPROOF_RECORDED_CONSTANT(pi_v)
 FIXPROOF_RECORDED_CONSTANT(e_v)
 FIXPROOF_RECORDED_CONSTANT(ln2_v)
@@ -132,12 +133,12 @@ FIXPROOF_RECORDED_CONSTANT(egamma_v)
 
 #if defined(__cpp_lib_format)
 #include <format>
-template <class N>
-struct std::formatter<fixproof::recorded_number<N>, char> : std::formatter<N, char> {
+template <class Number>
+struct std::formatter<fixproof::recorded_number<Number>, char> : std::formatter<Number, char> {
   /// Formats the plain number.
   template <class Context>
-  auto format(fixproof::recorded_number<N> x, Context& context) const {
-    return std::formatter<N, char>::format(x.plain(), context);
+  auto format(fixproof::recorded_number<Number> x, Context& context) const {
+    return std::formatter<Number, char>::format(x.plain(), context);
   }
 };
 #endif

@@ -65,7 +65,7 @@ Verdict judge_routine(const Subject& subject, const VerdictOptions& options);
 check::JudgedCase judged_case(const cases::Variant& variant, std::span<const std::uint32_t> words,
                               const Answer& answer);
 
-/// A rule that sin_cos or transform may follow.
+/// A rule that cos_sin or transform may follow.
 struct Candidate {
   std::string name;
   std::function<void(std::span<const std::uint32_t> in, std::span<std::uint32_t> out)> results;

@@ -21,6 +21,8 @@ std::string_view cpp_name(Rounding rounding) {
       return "half_even";
     case Rounding::floor:
       return "floor";
+    case Rounding::ceiling:
+      return "ceiling";
     default:
       return "truncate";
   }
@@ -52,7 +54,7 @@ std::span<const cases::Format> proven_formats() {
 
 std::span<const Rounding> type_roundings() {
   static constexpr std::array all{Rounding::half_up, Rounding::half_away, Rounding::half_even,
-                                  Rounding::floor, Rounding::truncate};
+                                  Rounding::floor,   Rounding::truncate,  Rounding::ceiling};
   return all;
 }
 

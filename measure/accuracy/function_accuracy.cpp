@@ -206,9 +206,8 @@ std::vector<AccuracyRow> measure_function(const cases::Variant& variant,
 
 std::vector<cases::Operation> functions_named(const std::string& name, const Format& format) {
   std::vector<cases::Operation> functions;
-  for (auto i = static_cast<int>(cases::Operation::mul);
-       i <= static_cast<int>(cases::Operation::hypot3); ++i) {
-    const auto operation = static_cast<cases::Operation>(i);
+  for (const cases::OperationRow& row : cases::operations) {
+    const cases::Operation operation = row.operation;
     if (!cases::is_function(operation) && !cases::is_quotient_function(operation)) continue;
     const bool is_of_all = name == "all" && cases::is_in_format(operation, format);
     if (is_of_all || name == cases::name_of(operation)) functions.push_back(operation);

@@ -40,7 +40,7 @@ void expect_same_bits() {
     ASSERT_EQ(results, sines) << static_cast<int>(path);
     batch::cos(angles, results, path);
     ASSERT_EQ(results, cosines) << static_cast<int>(path);
-    batch::sin_cos(angles, others, results, path);
+    batch::sin_cos(angles, results, others, path);
     ASSERT_EQ(results, sines) << static_cast<int>(path);
     ASSERT_EQ(others, cosines) << static_cast<int>(path);
   }
@@ -71,7 +71,7 @@ void expect_every_length(batch::path path) {
     auto& [sines, cosines, cosines_of_both, sines_of_both] = results;
     batch::sin(angles, sines, path);
     batch::cos(angles, cosines, path);
-    batch::sin_cos(angles, cosines_of_both, sines_of_both, path);
+    batch::sin_cos(angles, sines_of_both, cosines_of_both, path);
     for (std::size_t i = 0; i < count; ++i) {
       const Number sine = fixproof::sin(angles[i]);
       const Number cosine = fixproof::cos(angles[i]);
@@ -111,12 +111,12 @@ TEST(BatchRadian, InPlace) {
   batch::sin(sines, sines);
   std::vector<q16_16> cosines_there = angles;
   std::vector<q16_16> sines_elsewhere(angles.size());
-  batch::sin_cos(cosines_there, cosines_there, sines_elsewhere);
+  batch::sin_cos(cosines_there, sines_elsewhere, cosines_there);
   std::vector<q16_16> sines_there = angles;
   std::vector<q16_16> cosines_elsewhere(angles.size());
-  batch::sin_cos(sines_there, cosines_elsewhere, sines_there);
+  batch::sin_cos(sines_there, sines_there, cosines_elsewhere);
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    const auto [cos, sin] = fixproof::sin_cos(angles[i]);
+    const auto [sin, cos] = fixproof::sin_cos(angles[i]);
     ASSERT_EQ(sines[i], sin);
     ASSERT_EQ(sines_elsewhere[i], sin);
     ASSERT_EQ(sines_there[i], sin);

@@ -94,7 +94,7 @@ static_assert(!try_divide(std::numeric_limits<q16_16_trapping>::lowest(), q16_16
 
 static_assert(sqrt(q16_16(2)).raw() == 92682);  // 1.41421356 * 65536 = 92681.90
 static_assert(sqrt(q16_16(-4)) == q16_16());
-static_assert(sin_cos_of_tenths<q16_16>(900) == cos_sin<q16_16>{q16_16(), q16_16(1)});
+static_assert(sin_cos_of_tenths<q16_16>(900) == sin_and_cos<q16_16>{q16_16(1), q16_16()});
 static_assert(floor(q16_16(-0.5)) == q16_16(-1) && ceil(q16_16(-0.5)) == q16_16());
 
 // A function of every header in a constant expression.

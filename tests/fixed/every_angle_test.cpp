@@ -24,7 +24,7 @@ void compare(batch::path path, unsigned first, unsigned threads,
     for (std::size_t i = 0; i < block; ++i) {
       angles[i] = q16_16::from_raw(static_cast<std::int32_t>(start + i));
     }
-    batch::sin_cos(angles, cosines, sines, path);
+    batch::sin_cos(angles, sines, cosines, path);
     for (std::size_t i = 0; i < block; ++i) {
       if (sines[i] != sin(angles[i]) || cosines[i] != cos(angles[i])) {
         different = angles[i].raw();

@@ -28,6 +28,9 @@ static_assert(
     limits<number<std::int32_t, 16,
                   policy{.multiply = rounding::floor, .divide = rounding::floor}>>::round_style ==
     std::round_toward_neg_infinity);
+static_assert(limits<number<std::int32_t, 16,
+                            policy{.multiply = rounding::ceiling, .divide = rounding::ceiling}>>::
+                  round_style == std::round_toward_infinity);
 static_assert(limits<q16_16>::round_error() == q16_16(0.5));
 static_assert(limits<q16_16_i8088_unrounded>::round_error() == q16_16_i8088_unrounded(1));
 static_assert(limits<q8_8>::round_error() == q8_8(0.5));

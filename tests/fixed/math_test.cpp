@@ -57,6 +57,17 @@ TYPED_TEST(Math, AbsMinMax) {
   }
 }
 
+TYPED_TEST(Math, ClampsToALimit) {
+  const auto edges = exact::edges<TypeParam>();
+  for (const auto x : edges) {
+    for (const auto low : edges) {
+      const auto high = edges[edges.size() / 2];
+      const auto above = x.raw() < low.raw() ? low.raw() : x.raw();
+      ASSERT_EQ(clamp(x, low, high).raw(), above < high.raw() ? above : high.raw());
+    }
+  }
+}
+
 TYPED_TEST(Math, SquareRootIsNearest) {
   const auto check = [](TypeParam x) {
     if (x.raw() < 0) {

@@ -97,8 +97,8 @@ void expect_as_q16_16() {
     const Number same = Number::from_raw(angle.raw());
     ASSERT_EQ(fixproof::sin(same).raw(), fixproof::sin(angle).raw());
     ASSERT_EQ(fixproof::cos(same).raw(), fixproof::cos(angle).raw());
-    const cos_sin<Number> both = fixproof::sin_cos(same);
-    ASSERT_EQ(both, (cos_sin<Number>{fixproof::cos(same), fixproof::sin(same)}));
+    const sin_and_cos<Number> both = fixproof::sin_cos(same);
+    ASSERT_EQ(both, (sin_and_cos<Number>{fixproof::sin(same), fixproof::cos(same)}));
   }
 }
 

@@ -70,6 +70,9 @@ TEST(Trig, EveryAngle) {
 
 TEST(Trig, WholeTurnsDoNotCountInAnyType) {
   const auto tenth = sin_cos_of_tenths<q16_16>(300);
+  const auto [sine, cosine] = tenth;
+  EXPECT_EQ(sine, q16_16(0.5));
+  EXPECT_EQ(cosine, tenth.cos);
   EXPECT_EQ(sin_cos_of_tenths<q16_16>(36300), tenth);
   EXPECT_EQ(sin_cos_of_tenths<q16_16>(36300U), tenth);
   EXPECT_EQ(sin_cos_of_tenths<q16_16>(3'600'000'000'000'300), tenth);

@@ -55,6 +55,9 @@ std::optional<Number> parsed(const std::string& text) {
     case rounding::floor:
       away = negative && rest != 0;
       break;
+    case rounding::ceiling:
+      away = !negative && rest != 0;
+      break;
     case rounding::truncate:
       break;
     case rounding::half_up:

@@ -27,6 +27,7 @@ constexpr Int round(const Int& n, const std::type_identity_t<Int>& d, fixproof::
   const Int twice = 2 * (n - low * d);
   if (twice == 0) return low;
   if (rule == rounding::floor) return low;
+  if (rule == rounding::ceiling) return low + 1;
   if (rule == rounding::truncate) return n < 0 ? low + 1 : low;
   if (twice != d) return twice < d ? low : low + 1;
   const bool up = rule == rounding::half_up || (rule == rounding::half_away && n > 0) ||

@@ -10,10 +10,15 @@
 
 namespace fixproof::cases {
 
-/// Tells whether edge_words() has words of the operation: it is a function of one or two real
-/// numbers.
+/// Tells whether the operation is a function of one or two real numbers.
 constexpr bool has_edges(Operation operation) {
   return is_function(operation) && words_in(operation) <= 2;
+}
+
+/// Tells whether edge_words() has words of the operation and the format, which has at most 32 bits:
+/// in wider ones the oracle would take minutes to search.
+constexpr bool has_edges_in(Operation operation, const Format& format) {
+  return has_edges(operation) && format.word_bits <= 32 && is_in_format(operation, format);
 }
 
 /// Returns the operands of every case, words_in(operation) words for each, without a case twice.
@@ -25,7 +30,7 @@ constexpr bool has_edges(Operation operation) {
 ///
 /// Results have the format of the operands. The words are computed once for each operation and
 /// format, and live as long as the program.
-/// @pre has_edges(operation) and is_in_format(operation, format)
+/// @pre has_edges_in(operation, format)
 std::span<const std::uint32_t> edge_words(Operation operation, const Format& format);
 
 }  // namespace fixproof::cases

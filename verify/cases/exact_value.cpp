@@ -41,7 +41,7 @@ Ratio in_units(const Integer& number, const Ratio& unit, int power) {
 
 Ratio negated(const Ratio& value) { return {-value.numerator, value.denominator}; }
 
-/// A function of real numbers, whose formats have units of 2^-F with 0 <= F <= 32.
+/// A function of real numbers, whose formats have units of 2^-F with 0 <= F <= 64.
 ExactValue function_of(const cases::Variant& v, const Integer& x, const Integer& y) {
   // In the finer of the two units every operand is whole, and every word and tie of the results is.
   const int from = operand_format(v).fraction_bits;

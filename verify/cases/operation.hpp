@@ -23,7 +23,7 @@ enum class Operation : std::uint8_t {
   binary64,  ///< conversion to double and back: the identity
   add,       ///< a + b, for `gen`, `eval` and `check`
   sub,       ///< a - b, likewise
-  // Functions of words of at most 32 bits, to nearest; out of range they saturate.
+  // Functions of real numbers, to nearest; out of range they saturate.
   exp2,   ///< 2 to the power of the operand
   exp,    ///< e to the power of the operand
   log2,   ///< binary logarithm; the lowest word unless the operand is positive
@@ -67,6 +67,19 @@ enum class Operation : std::uint8_t {
   mul_add,  ///< a * b + c
   lerp,     ///< a + (b - a) * t
   dot,      ///< a sum of products, whose operands are all the first factors, then all the second
+  // More functions of real numbers; outside their domain they are 0.
+  exp10,  ///< 10 to the power of the operand
+  asinh,
+  acosh,
+  atanh,
+  asin_in_degrees,
+  acos_in_degrees,
+  atan_in_degrees,
+  asin_in_turns,
+  acos_in_turns,
+  atan_in_turns,
+  atan2_in_degrees,
+  atan2_in_turns,
 };
 
 enum class Kind : std::uint8_t {
@@ -89,7 +102,7 @@ struct OperationRow {
 };
 
 /// In the order of the enumeration.
-inline constexpr std::array<OperationRow, 49> operations{{
+inline constexpr std::array<OperationRow, 61> operations{{
     // operation, name, kind, operands, results, seed
     {Operation::mul, "mul", Kind::routine, 2, 1, 0},
     {Operation::div, "div", Kind::routine, 2, 1, 1},
@@ -140,6 +153,18 @@ inline constexpr std::array<OperationRow, 49> operations{{
     {Operation::mul_add, "mul_add", Kind::sum, 3, 1, 46},
     {Operation::lerp, "lerp", Kind::sum, 3, 1, 47},
     {Operation::dot, "dot", Kind::sum, 4, 1, 48},
+    {Operation::exp10, "exp10", Kind::function, 1, 1, 49},
+    {Operation::asinh, "asinh", Kind::function, 1, 1, 50},
+    {Operation::acosh, "acosh", Kind::function, 1, 1, 51},
+    {Operation::atanh, "atanh", Kind::function, 1, 1, 52},
+    {Operation::asin_in_degrees, "asin_in_degrees", Kind::function, 1, 1, 53},
+    {Operation::acos_in_degrees, "acos_in_degrees", Kind::function, 1, 1, 54},
+    {Operation::atan_in_degrees, "atan_in_degrees", Kind::function, 1, 1, 55},
+    {Operation::asin_in_turns, "asin_in_turns", Kind::function, 1, 1, 56},
+    {Operation::acos_in_turns, "acos_in_turns", Kind::function, 1, 1, 57},
+    {Operation::atan_in_turns, "atan_in_turns", Kind::function, 1, 1, 58},
+    {Operation::atan2_in_degrees, "atan2_in_degrees", Kind::function, 2, 1, 59},
+    {Operation::atan2_in_turns, "atan2_in_turns", Kind::function, 2, 1, 60},
 }};
 
 constexpr const OperationRow& row_of(Operation o) {

@@ -146,7 +146,13 @@ std::vector<Share> sampled_streams(Operation operation, std::uint64_t sample) {
 /// Whether a conversion, or an operation of a format that no routine has, offers cases of a stream.
 bool offers(const Variant& variant, Stream stream) {
   if (is_conversion(variant.operation)) return has_conversion_stream(stream, variant);
+  const Format format = operand_format(variant);
   switch (stream) {
+    case Stream::edges:
+      return has_edges_in(variant.operation, format);
+    case Stream::whole_lengths:
+    case Stream::near_length_ties:
+      return format.word_bits <= 32;
     case Stream::whole_divisor_ties:
     case Stream::fault_edge:
     case Stream::quarter_turns:

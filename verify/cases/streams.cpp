@@ -157,11 +157,11 @@ bool is_stream_of(Stream stream, const Variant& variant) {
       return operation == Operation::mul_div;
     case Stream::whole_lengths:
     case Stream::near_length_ties:
-      return operation == Operation::hypot3;
+      return operation == Operation::hypot3 && operand_format(variant).word_bits <= 32;
     case Stream::root_ties:
       return operation == Operation::sqrt;
     case Stream::edges:
-      return has_edges(operation) && is_in_format(operation, operand_format(variant));
+      return has_edges_in(operation, operand_format(variant));
     case Stream::value_ties:
     case Stream::near_value_ties:
       return has_ties_of_words(operation) && has_conversion_stream(stream, variant);

@@ -50,10 +50,10 @@ Operation operation_named(std::string_view name) { return named(name, "operation
 void check_format(Operation operation, const Format& format) {
   if (is_in_format(operation, format)) return;
   throw support::UsageError(fmt::format("{} has {}, which {} is not", name_of(operation),
-                                        operation == Operation::remainder ? "signed formats"
-                                        : format.word_bits > 32 ? "formats of at most 32 bits"
-                                                                : "formats such as q16_16, with a "
-                                                                  "unit from 2^-32 to 1",
+                                        operation == Operation::remainder
+                                            ? "signed formats"
+                                            : "formats such as q16_16, with a "
+                                              "unit from 2^-64 to 1",
                                         name_of(format)));
 }
 

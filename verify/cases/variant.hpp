@@ -116,13 +116,12 @@ std::string name_of(const Variant& variant);
 /// Returns the operation with this command-line name.
 /// @throws std::invalid_argument for any other name
 Operation operation_named(std::string_view name);
-/// Tells whether the format has the operation: functions of real numbers are for at most 32 bits in
-/// units of 2^-F, with 0 <= F <= the bits, and `remainder` is for signed formats.
+/// Tells whether the format has the operation: functions of real numbers are for units of 2^-F,
+/// with 0 <= F <= the bits, and `remainder` is for signed formats.
 constexpr bool is_in_format(Operation operation, const Format& format) {
   if (operation == Operation::remainder) return format.is_signed;
-  return !is_function(operation) ||
-         (format.word_bits <= 32 && !format.is_decimal && format.fraction_bits >= 0 &&
-          format.fraction_bits <= format.word_bits);
+  return !is_function(operation) || (!format.is_decimal && format.fraction_bits >= 0 &&
+                                     format.fraction_bits <= format.word_bits);
 }
 /// @throws UsageError unless is_in_format()
 void check_format(Operation operation, const Format& format);

@@ -1,4 +1,4 @@
-// Functions of real numbers in formats of at most 32 bits.
+// Functions of real numbers.
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -112,12 +112,10 @@ void answer_function_fast(const cases::Variant& v, const Cases& asked) {
 
 void answer_function_by_type(const cases::Variant& v, const Cases& asked) {
   with_number_in(v.format, [&]<class Number>(std::type_identity<Number> /*type*/) {
-    if constexpr (sizeof(typename Number::raw_type) <= sizeof(std::uint32_t)) {
-      each_case_in(v, asked, [&](const Operands& in) -> Result {
-        return bits_of(computed(v.operation, number_from<Number>(in[0]), number_from<Number>(in[1]),
-                                number_from<Number>(in[2])));
-      });
-    }
+    each_case_in(v, asked, [&](const Operands& in) -> Result {
+      return bits_of(computed(v.operation, number_from<Number>(in[0]), number_from<Number>(in[1]),
+                              number_from<Number>(in[2])));
+    });
   });
 }
 

@@ -25,7 +25,7 @@ bool one_case(const cases::Variant& v, std::span<const std::uint32_t> in,
     out[0] = word_of(*quotient);
   } else if constexpr (operation == cases::Operation::cossin) {
     const auto angle = static_cast<std::int16_t>(static_cast<std::uint16_t>(in[0]));
-    const auto [cos, sin] = fixproof::sin_cos_of_tenths<Number>(angle);
+    const auto [sin, cos] = fixproof::sin_cos_of_tenths<Number>(angle);
     out[0] = word_of(cos);
     out[1] = word_of(sin);
   } else if constexpr (operation == cases::Operation::xformvec) {

@@ -8,36 +8,39 @@
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
 
-/// Adds detail::bias() to sums whose last F bits are dropped afterwards.
-template <rounding R, int F>
+/// Adds detail::bias() to sums whose last Point bits are dropped afterwards.
+template <rounding Rounding, int Point>
 FIXED_LANE_FUNCTION i64 biased(i64 sum) {
-  constexpr std::int64_t unit = std::int64_t{1} << F;
-  if constexpr (F == 0) {
+  constexpr std::int64_t unit = std::int64_t{1} << Point;
+  if constexpr (Point == 0) {
     return sum;
-  } else if constexpr (R == rounding::half_up) {
+  } else if constexpr (Rounding == rounding::half_up) {
     return sum + unit / 2;
-  } else if constexpr (R == rounding::half_away) {
+  } else if constexpr (Rounding == rounding::half_away) {
     return sum + unit / 2 + negative(sum);
-  } else if constexpr (R == rounding::half_even) {
-    return sum + (unit / 2 - 1) + i64(u64(sum) >> F & 1);
-  } else if constexpr (R == rounding::truncate) {
+  } else if constexpr (Rounding == rounding::half_even) {
+    return sum + (unit / 2 - 1) + i64(u64(sum) >> Point & 1);
+  } else if constexpr (Rounding == rounding::truncate) {
     return sum + (negative(sum) & (unit - 1));
+  } else if constexpr (Rounding == rounding::ceiling) {
+    return sum + (unit - 1);
   } else {
-    static_assert(R == rounding::floor);
+    static_assert(Rounding == rounding::floor);
     return sum;
   }
 }
 
 /// Does the same in 32-bit lanes, and drops the bits.
-template <rounding R, int F>
+template <rounding Rounding, int Point>
 FIXED_LANE_FUNCTION i32 rounded(i32 sum) {
-  constexpr std::int32_t unit = 1 << F;
-  if constexpr (F == 0) return sum;
-  if constexpr (R == rounding::half_up) sum += unit / 2;
-  if constexpr (R == rounding::half_away) sum += unit / 2 + (sum >> 31);
-  if constexpr (R == rounding::half_even) sum += unit / 2 - 1 + (sum >> F & 1);
-  if constexpr (R == rounding::truncate) sum += (sum >> 31) & (unit - 1);
-  return sum >> F;
+  constexpr std::int32_t unit = 1 << Point;
+  if constexpr (Point == 0) return sum;
+  if constexpr (Rounding == rounding::half_up) sum += unit / 2;
+  if constexpr (Rounding == rounding::half_away) sum += unit / 2 + (sum >> 31);
+  if constexpr (Rounding == rounding::half_even) sum += unit / 2 - 1 + (sum >> Point & 1);
+  if constexpr (Rounding == rounding::truncate) sum += (sum >> 31) & (unit - 1);
+  if constexpr (Rounding == rounding::ceiling) sum += unit - 1;
+  return sum >> Point;
 }
 
 /// Returns `x` where `bad` is zero, else the end of the range of Raw with the sign of `sign`.
@@ -48,38 +51,38 @@ FIXED_LANE_FUNCTION i32 saturated(i32 x, i32 bad, i32 sign) {
 }
 
 /// Wraps or saturates 32-bit sums in ulp to 16 bits.
-template <overflow O>
+template <overflow Overflow>
 FIXED_LANE_FUNCTION i32 narrowed(i32 sum, i32& bad) {
   const i32 low = (sum << 16) >> 16;
-  if constexpr (O == overflow::wrap) {
+  if constexpr (Overflow == overflow::wrap) {
     return low;
   } else {
     const i32 out = i32(low != sum);
     bad |= out;
-    return O == overflow::saturate ? saturated<std::int16_t>(low, out, sum) : low;
+    return Overflow == overflow::saturate ? saturated<std::int16_t>(low, out, sum) : low;
   }
 }
 
-/// Drops the last F bits of biased sums, and wraps or saturates the rest to 32 bits.
-template <overflow O, int F>
+/// Drops the last Point bits of biased sums, and wraps or saturates the rest to 32 bits.
+template <overflow Overflow, int Point>
 FIXED_LANE_FUNCTION i32 narrowed(wide_lanes sum, i32& bad) {
-  const i32 low = middle<F>(sum);
-  if constexpr (O == overflow::wrap) {
+  const i32 low = middle<Point>(sum);
+  if constexpr (Overflow == overflow::wrap) {
     return low;
   } else {
-    // A sum is in range if all remaining upper bits equal the sign. With F = 0 they are a word.
+    // A sum is in range if all remaining upper bits equal the sign. With Point = 0 they are a word.
     const i32 high = upper_words(sum);
-    const i32 out = i32((high >> (F == 0 ? 0 : F - 1)) != (low >> 31));
+    const i32 out = i32((high >> (Point == 0 ? 0 : Point - 1)) != (low >> 31));
     bad |= out;
-    return O == overflow::saturate ? saturated<std::int32_t>(low, out, high) : low;
+    return Overflow == overflow::saturate ? saturated<std::int32_t>(low, out, high) : low;
   }
 }
 
-/// Returns exact products in units of 2^-F ulp: of 16-bit numbers in 32-bit lanes, of 32-bit
+/// Returns exact products in units of 2^-Point ulp: of 16-bit numbers in 32-bit lanes, of 32-bit
 /// numbers in wide lanes.
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION auto exact_product(i32 a, i32 b) {
-  if constexpr (sizeof(N) == 2) {
+  if constexpr (sizeof(Number) == 2) {
     return a * b;
   } else {
     return products(a, b);
@@ -87,33 +90,34 @@ FIXED_LANE_FUNCTION auto exact_product(i32 a, i32 b) {
 }
 
 /// Adds c to products.
-/// @pre F is at most the width of the stored integer less 2, so that the sums do not overflow
-template <class N>
+/// @pre Point is at most the width of the stored integer less 2, so that the sums do not overflow
+template <class Number>
 FIXED_LANE_FUNCTION i32 exact_sum(i32 product, i32 c) {
-  return product + (c << N::fraction_bits);
+  return product + (c << Number::fraction_bits);
 }
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION wide_lanes exact_sum(wide_lanes product, i32 c) {
-  const wide_lanes term = products_by(i32{} + (1 << N::fraction_bits), c);
+  const wide_lanes term = products_by(i32{} + (1 << Number::fraction_bits), c);
   return {product.first + term.first, product.second + term.second};
 }
 
 /// Rounds sums, and wraps or saturates them.
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION i32 rounded_product(i32 sum, i32& bad) {
-  return narrowed<N::rules.product_range()>(rounded<N::rules.multiply, N::fraction_bits>(sum), bad);
+  return narrowed<Number::rules.product_range()>(
+      rounded<Number::rules.multiply, Number::fraction_bits>(sum), bad);
 }
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION i32 rounded_product(wide_lanes sum, i32& bad) {
-  constexpr int F = N::fraction_bits;
-  constexpr rounding R = N::rules.multiply;
-  return narrowed<N::rules.product_range(), F>({biased<R, F>(sum.first), biased<R, F>(sum.second)},
-                                               bad);
+  constexpr int Point = Number::fraction_bits;
+  constexpr rounding Rounding = Number::rules.multiply;
+  return narrowed<Number::rules.product_range(), Point>(
+      {biased<Rounding, Point>(sum.first), biased<Rounding, Point>(sum.second)}, bad);
 }
 
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION i32 product(i32 a, i32 b, i32& bad) {
-  return rounded_product<N>(exact_product<N>(a, b), bad);
+  return rounded_product<Number>(exact_product<Number>(a, b), bad);
 }
 
 /// @name Results whose range is checked later, for several blocks at once
@@ -124,35 +128,35 @@ FIXED_LANE_FUNCTION i32 product(i32 a, i32 b, i32& bad) {
 /// \{
 
 /// Rounds sums, and wraps them to 16 bits. Only the lower halves of the lanes are valid.
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION i32 unchecked(i32 sum, u64& sums) {
   constexpr std::int32_t half_range = 1 << 15;
-  sum = rounded<N::rules.multiply, N::fraction_bits>(sum) + half_range;
+  sum = rounded<Number::rules.multiply, Number::fraction_bits>(sum) + half_range;
   sums |= u64(sum);
   return sum ^ half_range;
 }
 
 /// Rounds sums in wide lanes, and wraps them to 32 bits. All of each lane is valid.
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION i32 unchecked(wide_lanes sum, u64& sums) {
-  constexpr int F = N::fraction_bits;
-  constexpr rounding R = N::rules.multiply;
-  constexpr std::uint64_t half_range = std::uint64_t{1} << (31 + F);
-  const u64 first = u64(biased<R, F>(sum.first)) + half_range;
-  const u64 second = u64(biased<R, F>(sum.second)) + half_range;
+  constexpr int Point = Number::fraction_bits;
+  constexpr rounding Rounding = Number::rules.multiply;
+  constexpr std::uint64_t half_range = std::uint64_t{1} << (31 + Point);
+  const u64 first = u64(biased<Rounding, Point>(sum.first)) + half_range;
+  const u64 second = u64(biased<Rounding, Point>(sum.second)) + half_range;
   sums |= first | second;
-  return middle<F>({i64(first), i64(second)}) ^ (std::numeric_limits<std::int32_t>::min)();
+  return middle<Point>({i64(first), i64(second)}) ^ (std::numeric_limits<std::int32_t>::min)();
 }
 
 /// Tells whether all results were in range. Always true under overflow::wrap.
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION bool in_range(u64 sums) {
-  if constexpr (N::rules.product_range() == overflow::wrap) {
+  if constexpr (Number::rules.product_range() == overflow::wrap) {
     return true;
-  } else if constexpr (sizeof(N) == 2) {
+  } else if constexpr (sizeof(Number) == 2) {
     return !any_bit(u64(u32(sums) >> 16));
-  } else if constexpr (N::fraction_bits < 32) {
-    return !any_bit(sums >> (32 + N::fraction_bits));
+  } else if constexpr (Number::fraction_bits < 32) {
+    return !any_bit(sums >> (32 + Number::fraction_bits));
   } else {
     return true;
   }
@@ -160,20 +164,20 @@ FIXED_LANE_FUNCTION bool in_range(u64 sums) {
 
 /// \}
 
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION i32 added(i32 a, i32 b, i32& bad) {
-  constexpr overflow O = N::rules.range;
-  if constexpr (sizeof(N) == 2) {
-    return narrowed<O>(a + b, bad);
+  constexpr overflow Overflow = Number::rules.range;
+  if constexpr (sizeof(Number) == 2) {
+    return narrowed<Overflow>(a + b, bad);
   } else {
     const i32 sum = i32(u32(a) + u32(b));
-    if constexpr (O == overflow::wrap) {
+    if constexpr (Overflow == overflow::wrap) {
       return sum;
     } else {
       // A sum is out of range if its sign differs from the signs of both operands.
       const i32 out = ((a ^ sum) & (b ^ sum)) >> 31;
       bad |= out;
-      return O == overflow::saturate ? saturated<std::int32_t>(sum, out, a) : sum;
+      return Overflow == overflow::saturate ? saturated<std::int32_t>(sum, out, a) : sum;
     }
   }
 }
@@ -185,11 +189,11 @@ struct divisor_lanes {
   f64 value;
 };
 
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION divisor_lanes divisor_of(half_i32 d) {
-  constexpr int F = N::fraction_bits;
-  if constexpr (N::rules.divisor == divisor_width::whole_part) {
-    d = (d + ((d >> 31) & ((1 << F) - 1))) >> F;
+  constexpr int Point = Number::fraction_bits;
+  if constexpr (Number::rules.divisor == divisor_width::whole_part) {
+    d = (d + ((d >> 31) & ((1 << Point) - 1))) >> Point;
   }
   const half_i32 are_zero = half_i32(d == 0);
   return {zero_bits(d), are_zero, doubles(d - are_zero)};
@@ -205,13 +209,13 @@ FIXED_LANE_FUNCTION f64 with_sign_of(f64 magnitude, f64 sign) {
 
 /// The vector form of detail::quotient_sum(), which has the proof. The floor or trunc of the sum is
 /// the rounded quotient.
-template <rounding R, int Shift>
+template <rounding Rounding, int Shift>
 FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
   constexpr double scale = std::int64_t{1} << Shift;
   const f64 q = numerator * scale / divisor;
-  if constexpr (R == rounding::half_up) {
+  if constexpr (Rounding == rounding::half_up) {
     return q + 0.5;
-  } else if constexpr (R == rounding::half_away) {
+  } else if constexpr (Rounding == rounding::half_away) {
     return q + with_sign_of(f64{} + 0.5, q);
   } else {
     return q;
@@ -221,46 +225,46 @@ FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
 /// Returns half a block of quotients under the policy, with any value where the divisor is zero.
 /// Sets a bit in `errors` for a divide error, and in `overflows` for a result that is only out of
 /// range.
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION half_i32 quotient_if_any(half_i32 n, const divisor_lanes& d,
                                              std::uint32_t& errors, std::uint32_t& overflows) {
-  using raw = typename N::raw_type;
-  constexpr policy P = N::rules;
-  constexpr overflow O = P.quotient_range();
-  constexpr int shift = numerator_shift<N::fraction_bits, P>;
-  constexpr bool by_floor = rounds_by_floor<P.divide>;
+  using raw = typename Number::raw_type;
+  constexpr policy Rules = Number::rules;
+  constexpr overflow Overflow = Rules.quotient_range();
+  constexpr int shift = numerator_shift<Number::fraction_bits, Rules>;
+  constexpr bool by_floor = rounds_by_floor<Rules.divide>;
   constexpr double low = (std::numeric_limits<raw>::min)();
   constexpr double high = (std::numeric_limits<raw>::max)();
   const f64 numerator = doubles(n);
-  f64 sum = sum_before_rounding<P.divide, shift>(numerator, d.value);
+  f64 sum = sum_before_rounding<Rules.divide, shift>(numerator, d.value);
 
   errors = d.zeros;
-  if constexpr (P.fault == divide_fault::unsigned_quotient) {
+  if constexpr (Rules.fault == divide_fault::unsigned_quotient) {
     // |n| 2^shift / |d| >= 2^bits. Both sides are exact.
     constexpr double units = std::int64_t{1} << (bits_of<raw> - shift);
     errors |= bits_at_least(magnitude_of(numerator), magnitude_of(d.value) * units);
   }
   overflows = 0;
-  if constexpr (P.fault == divide_fault::signed_quotient || O != overflow::wrap) {
+  if constexpr (Rules.fault == divide_fault::signed_quotient || Overflow != overflow::wrap) {
     // Whether the floor or trunc of the sum is above `high` or below `low`.
     const std::uint32_t above = bits_at_least(sum, f64{} + (high + 1));
     const std::uint32_t below =
         by_floor ? bits_below(sum, f64{} + low) : bits_at_least(f64{} + (low - 1), sum);
-    if constexpr (P.fault == divide_fault::signed_quotient) errors |= above | below;
-    if constexpr (O != overflow::wrap) overflows = (above | below) & ~errors;
+    if constexpr (Rules.fault == divide_fault::signed_quotient) errors |= above | below;
+    if constexpr (Overflow != overflow::wrap) overflows = (above | below) & ~errors;
   }
-  if constexpr (O == overflow::saturate) sum = clamp(sum, f64{} + low, f64{} + high);
+  if constexpr (Overflow == overflow::saturate) sum = clamp(sum, f64{} + low, f64{} + high);
   const half_i32 result = low_words(whole<by_floor>(sum));
   if constexpr (sizeof(raw) == 2) return (result << 16) >> 16;
   return result;
 }
 
 /// The same, with the results of the policy where the divisor is zero.
-template <class N>
+template <class Number>
 FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::uint32_t& errors,
                                       std::uint32_t& overflows) {
-  using raw = typename N::raw_type;
-  half_i32 result = quotient_if_any<N>(n, d, errors, overflows);
+  using raw = typename Number::raw_type;
+  half_i32 result = quotient_if_any<Number>(n, d, errors, overflows);
   if (d.zeros != 0) [[unlikely]] {
     const half_i32 end = ((n >> 31) ^ std::int32_t{(std::numeric_limits<raw>::max)()}) & (n != 0);
     result = (result & ~d.are_zero) | (end & d.are_zero);
@@ -270,12 +274,12 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
 
 /// Returns the nearest square roots in ulp. A negative operand gives 0 and adds a bit to `errors`.
 ///
-/// The code takes the root of n = x 2^F < 2^47 in single precision, and corrects it by the
+/// The code takes the root of n = x 2^Point < 2^47 in single precision, and corrects it by the
 /// remainder. Let R be the exact root, so R < 2^23.5, let s be the root in single precision, and
-/// let r be s as an integer. Scaling by 2^F is exact. Converting x has a relative error of at most
-/// e. The root halves that error and adds e of its own. So s is off by less than 1.5 R e, apart
-/// from a little for e^2. The nearest integer is within 1/2 of R, so r is off from it by at most d
-/// if |r - R| + 1/2 < d + 1.
+/// let r be s as an integer. Scaling by 2^Point is exact. Converting x has a relative error of at
+/// most e. The root halves that error and adds e of its own. So s is off by less than 1.5 R e,
+/// apart from a little for e^2. The nearest integer is within 1/2 of R, so r is off from it by at
+/// most d if |r - R| + 1/2 < d + 1.
 ///
 /// AVX-512 rounds to nearest in every mode of the processor, so e = 2^-24. If s >= 2^23, s is an
 /// integer and |r - R| < 1.07. If 2^22 <= s < 2^23, |r - R| < 0.76 + 1/2. If s < 2^22,
@@ -287,13 +291,13 @@ FIXED_LANE_FUNCTION half_i32 quotient(half_i32 n, const divisor_lanes& d, std::u
 /// is above r. It is above r + 1 if the rest is above 3 r + 2. It is below r if the rest is below
 /// 1 - r, and below r - 1 if the rest is below 3 - 3 r. The rest is below 2^27 in magnitude, so 32
 /// bits hold it. Only n = 0 gives a wrong result, which is negative. The last line makes it 0.
-template <int F>
+template <int Point>
 FIXED_LANE_FUNCTION i32 nearest_roots(i32 x, std::uint32_t& errors) {
   errors |= bits(x);
-  constexpr float units = 1 << F;
+  constexpr float units = 1 << Point;
   x &= ~(x >> 31);
   const i32 r = integers(root(floats(x) * units));
-  const i32 rest = i32((u32(x) << F) - u32(r) * u32(r));
+  const i32 rest = i32((u32(x) << Point) - u32(r) * u32(r));
   // The sign of a difference tells which of two numbers is less.
   i32 nearest = r - ((r - rest) >> 31) + ((rest - 1 + r) >> 31);
   if constexpr (!has_nearest_floats) {
@@ -313,10 +317,11 @@ FIXED_LANE_FUNCTION void note_lanes(fault what, std::uint32_t lanes, std::size_t
 
 /// Records an overflow for each lane that is set in `bad` and whose bit is set in `of`. Does
 /// nothing under overflow::wrap.
-template <overflow O>
+template <overflow Overflow>
 FIXED_LANE_FUNCTION void note_overflows(i32 bad, std::size_t index, fault_recorder& found,
                                         std::uint32_t of = ~0U) {
-  if constexpr (O != overflow::wrap) note_lanes(fault::overflow, bits(bad) & of, index, found);
+  if constexpr (Overflow != overflow::wrap)
+    note_lanes(fault::overflow, bits(bad) & of, index, found);
 }
 
 }  // namespace fixproof::detail::FIXED_LANES

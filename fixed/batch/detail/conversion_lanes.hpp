@@ -8,11 +8,11 @@ using half_f32 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = float;
 
 /// Loads half a block of floating-point numbers as doubles. If subnormals can change the result,
 /// sets a bit of their exponents, because processors may take them for zero.
-template <class Float, rounding R, class Part>
+template <class Float, rounding Rounding, class Part>
 FIXED_LANE_FUNCTION f64 load_doubles(const void* base, std::size_t index, Part part) {
   if constexpr (sizeof(Float) == 4) {
     half_i32 bits = load_half<std::int32_t>(base, index, part);
-    if constexpr (R == rounding::floor) {
+    if constexpr (Rounding == rounding::floor || Rounding == rounding::ceiling) {
       constexpr std::int32_t normal = 1 << 23;
       const half_i32 magnitude = bits & (std::numeric_limits<std::int32_t>::max)();
       bits |= half_i32(magnitude > 0) & half_i32(magnitude < normal) & normal;
@@ -20,7 +20,7 @@ FIXED_LANE_FUNCTION f64 load_doubles(const void* base, std::size_t index, Part p
     return __builtin_convertvector(half_f32(bits), f64);
   } else {
     const f64 x = load_half_doubles(base, index, part);
-    if constexpr (R == rounding::floor) {
+    if constexpr (Rounding == rounding::floor || Rounding == rounding::ceiling) {
       constexpr std::int64_t normal = std::int64_t{1} << 52;
       const i64 magnitude = i64(x) & (std::numeric_limits<std::int64_t>::max)();
       return f64(i64(x) | (i64(magnitude > 0) & i64(magnitude < normal) & normal));
@@ -30,14 +30,16 @@ FIXED_LANE_FUNCTION f64 load_doubles(const void* base, std::size_t index, Part p
   }
 }
 
-/// Returns `twice` / 2 rounded by rule R, for |twice| < 2^51, in every rounding mode.
-template <rounding R>
+/// Returns `twice` / 2 rounded by rule Rounding, for |twice| < 2^51, in every rounding mode.
+template <rounding Rounding>
 FIXED_LANE_FUNCTION half_i32 half_rounded(f64 twice) {
-  if constexpr (R == rounding::half_up) {
+  if constexpr (Rounding == rounding::half_up) {
     return low_words(i64(u64(whole<true>(twice) + 1) >> 1));
-  } else if constexpr (R == rounding::floor) {
+  } else if constexpr (Rounding == rounding::floor) {
     return low_words(i64(u64(whole<true>(twice)) >> 1));
-  } else if constexpr (R == rounding::half_even) {
+  } else if constexpr (Rounding == rounding::ceiling) {
+    return -low_words(i64(u64(whole<true>(-twice)) >> 1));
+  } else if constexpr (Rounding == rounding::half_even) {
     const i64 floor = whole<true>(twice);
     const i64 up = i64(u64(floor + 1) >> 1);
     // `twice` is an integer, and half of it may be a tie, if the floors of `twice` and of -`twice`
@@ -52,19 +54,20 @@ FIXED_LANE_FUNCTION half_i32 half_rounded(f64 twice) {
     const half_i32 below = low_words(negative(i64(twice)));
     const half_i32 half = low_words(i64(u64(whole<false>(twice) + 1) >> 1));
     const half_i32 down = low_words(i64(u64(whole<false>(twice)) >> 1));
-    return R == rounding::half_away ? (half & ~below) | (down & below)
-                                    : (down & ~below) | (half & below);
+    return Rounding == rounding::half_away ? (half & ~below) | (down & below)
+                                           : (down & ~below) | (half & below);
   }
 }
 
 /// Half a block of numbers from floating-point numbers. note() computes lanes that may be out of
 /// range, or NaN, one by one.
-template <class N, class Float>
+template <class Number, class Float>
 struct from_float_blocks {
-  using number = N;
-  using limits = std::numeric_limits<typename N::raw_type>;
-  static constexpr rounding R = N::rules.multiply;
-  static constexpr bool by_words = has_half_up_words && R == rounding::half_up && sizeof(N) == 4;
+  using number = Number;
+  using limits = std::numeric_limits<typename Number::raw_type>;
+  static constexpr rounding Rounding = Number::rules.multiply;
+  static constexpr bool by_words =
+      has_half_up_words && Rounding == rounding::half_up && sizeof(Number) == 4;
   using check = std::conditional_t<by_words, half_i32, std::uint32_t>;
   static constexpr std::size_t size = width / 2;
   static constexpr bool in_groups = true;
@@ -84,28 +87,28 @@ struct from_float_blocks {
     if constexpr (by_words) {
       // Rounding the sum down does not change its floor. The least word may be a result, too; it is
       // rare enough to be computed again.
-      constexpr double one = std::uint64_t{1} << N::fraction_bits;
-      const half_i32 values = half_up_words(load_doubles<Float, R>(x, i, part), one);
+      constexpr double one = std::uint64_t{1} << Number::fraction_bits;
+      const half_i32 values = half_up_words(load_doubles<Float, Rounding>(x, i, part), one);
       seen = seen < values ? seen : values;
       return values;
     } else {
-      constexpr bool wraps = N::rules.range == overflow::wrap;
+      constexpr bool wraps = Number::rules.range == overflow::wrap;
       constexpr double lowest = wraps ? -0x1p50 : double{(limits::min)()};
       constexpr double highest = wraps ? 0x1p50 : double{(limits::max)()};
-      constexpr double twice_one = std::uint64_t{2} << N::fraction_bits;
-      const f64 twice = load_doubles<Float, R>(x, i, part) * twice_one;
+      constexpr double twice_one = std::uint64_t{2} << Number::fraction_bits;
+      const f64 twice = load_doubles<Float, Rounding>(x, i, part) * twice_one;
       const std::uint32_t there =
           bits_at_least(twice, f64{} + 2 * lowest) & bits_at_least(f64{} + 2 * highest, twice);
       seen |= there ^ ((1U << size) - 1);
-      return half_rounded<R>(twice);
+      return half_rounded<Rounding>(twice);
     }
   }
   FIXED_LANE_FUNCTION static bool is_clean(check seen) { return missing(seen) == 0; }
   template <class Part>
   FIXED_LANE_FUNCTION void note(std::size_t i, Part part, fault_recorder& found) const {
     check seen{};
-    store<N>(out, i, at(i, part, seen), part);
-    missing_from_floats<N, Float>(x, out, i, missing(seen), found);
+    store<Number>(out, i, at(i, part, seen), part);
+    missing_from_floats<Number, Float>(x, out, i, missing(seen), found);
   }
 };
 
@@ -117,7 +120,7 @@ struct no_faults {
   FIXED_LANE_FUNCTION static bool is_clean(no_faults /*seen*/) { return true; }
 };
 
-template <class N>
+template <class Number>
 struct to_double_blocks : no_faults {
   using number = double;
   static constexpr std::size_t size = width / 2;
@@ -127,8 +130,8 @@ struct to_double_blocks : no_faults {
   FIXED_LANE_FUNCTION to_double_blocks(void* to, const void* from) : out(to), x(from) {}
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION f64 at(std::size_t i, Part part, no_faults& /*seen*/) const {
-    constexpr double unit = 1.0 / static_cast<double>(std::uint64_t{1} << N::fraction_bits);
-    return doubles(load_half<N>(x, i, part)) * unit;
+    constexpr double unit = 1.0 / static_cast<double>(std::uint64_t{1} << Number::fraction_bits);
+    return doubles(load_half<Number>(x, i, part)) * unit;
   }
 };
 
@@ -143,7 +146,7 @@ FIXED_LANE_FUNCTION bool floats_are_nearest() {
          static_cast<std::int32_t>(up[0]) == tie + 3;
 }
 
-template <class N>
+template <class Number>
 struct to_float_blocks : no_faults {
   using number = float;
   static constexpr std::size_t size = width;
@@ -153,8 +156,8 @@ struct to_float_blocks : no_faults {
   FIXED_LANE_FUNCTION to_float_blocks(void* to, const void* from) : out(to), x(from) {}
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION f32 at(std::size_t i, Part part, no_faults& /*seen*/) const {
-    constexpr float unit = 1.0F / static_cast<float>(std::uint64_t{1} << N::fraction_bits);
-    return floats(load<N>(x, i, part)) * unit;
+    constexpr float unit = 1.0F / static_cast<float>(std::uint64_t{1} << Number::fraction_bits);
+    return floats(load<Number>(x, i, part)) * unit;
   }
   FIXED_LANE_FUNCTION static bool is_exact() { return floats_are_nearest(); }
 };

@@ -75,31 +75,31 @@ struct exponent_lanes {
 
 /// Returns the operand of an exponential, limited if scaled() needs that. Beyond 40, every power is
 /// out of range or rounds to a constant.
-template <int F>
+template <int Point>
 FIXED_LANE_FUNCTION f64 limited(f64 x) {
-  return scales_any ? x : clamp(x, f64{} - 40 * one_in<F>, f64{} + 40 * one_in<F>);
+  return scales_any ? x : clamp(x, f64{} - 40 * one_in<Point>, f64{} + 40 * one_in<Point>);
 }
 
 /// Returns the exponent of 2 for e^x.
-template <int F>
+template <int Point>
 FIXED_LANE_FUNCTION exponent_lanes exponent_of_e(f64 x) {
-  constexpr double high = two_log2_e[0] / one_in<F>;
-  constexpr double low = two_log2_e[1] / one_in<F>;
-  x = limited<F>(x);
+  constexpr double high = two_log2_e[0] / one_in<Point>;
+  constexpr double low = two_log2_e[1] / one_in<Point>;
+  x = limited<Point>(x);
   const f64 whole = nearest_whole(x * high);
   return {whole, fused(x, f64{} + high, x * low - whole)};
 }
 
-/// Returns scale * 2^exponent. The relative error is below 2^-44, or below 2^-33 if F <= 16.
+/// Returns scale * 2^exponent. The relative error is below 2^-44, or below 2^-33 if Point <= 16.
 /// @param scale a power of two
-template <int F>
+template <int Point>
 FIXED_LANE_FUNCTION f64 power_of_two(const exponent_lanes& exponent, double scale) {
   return scaled(
-      polynomial(by_precision<F>(few_power_terms, many_power_terms), scale, exponent.rest),
+      polynomial(by_precision<Point>(few_power_terms, many_power_terms), scale, exponent.rest),
       exponent.whole);
 }
-template <int F>
-inline constexpr double power_error = by_precision<F>(0x1p-32, 0x1p-43);
+template <int Point>
+inline constexpr double power_error = by_precision<Point>(0x1p-32, 0x1p-43);
 
 /// Every second term, from the first or from the second.
 template <std::size_t first, std::size_t size>
@@ -117,18 +117,18 @@ struct hyperbola_lanes {
 };
 /// The polynomials of 2^r and 2^-r differ only in the sign of their odd terms. The relative errors
 /// are those of power_of_two<precise>().
-template <int F>
+template <int Point>
 FIXED_LANE_FUNCTION hyperbola_lanes hyperbola_of(f64 x) {
-  const auto [whole, rest] = exponent_of_e<F>(x);
+  const auto [whole, rest] = exponent_of_e<Point>(x);
   const f64 square = rest * rest;
-  const f64 even = polynomial(alternate<0>(many_power_terms), one_in<F> / 2, square);
-  const f64 odd = rest * polynomial(alternate<1>(many_power_terms), one_in<F> / 2, square);
+  const f64 even = polynomial(alternate<0>(many_power_terms), one_in<Point> / 2, square);
+  const f64 odd = rest * polynomial(alternate<1>(many_power_terms), one_in<Point> / 2, square);
   return {scaled(even + odd, whole), scaled(even - odd, -whole)};
 }
 
-/// Returns log2(x) for x > 2^-1000. The error is below 2^-44, or 2^-30 if F <= 16, plus
+/// Returns log2(x) for x > 2^-1000. The error is below 2^-44, or 2^-30 if Point <= 16, plus
 /// |log2(x)| 2^-51.
-template <int F>
+template <int Point>
 FIXED_LANE_FUNCTION f64 binary_logarithm(f64 x) {
   // sqrt(1/2). A mantissa is from there to twice that.
   constexpr std::uint64_t lowest = 0x3fe6a09e667f3bcd;
@@ -138,11 +138,12 @@ FIXED_LANE_FUNCTION f64 binary_logarithm(f64 x) {
   const f64 mantissa = f64(u64(x) - (exponent << 52) + one);
   const f64 s = (mantissa - 1) / (mantissa + 1);
   const f64 whole = f64(exponent + integer_bits) - (0x1p52 + 1023);
-  return fused(s, polynomial(by_precision<F>(few_logarithm_terms, many_logarithm_terms), 1, s * s),
+  return fused(s,
+               polynomial(by_precision<Point>(few_logarithm_terms, many_logarithm_terms), 1, s * s),
                whole);
 }
-template <int F>
-inline constexpr double logarithm_error = by_precision<F>(0x1p-29, 0x1p-43);
+template <int Point>
+inline constexpr double logarithm_error = by_precision<Point>(0x1p-29, 0x1p-43);
 
 /// An angle in half turns: `whole` + t, with |t| <= 1/2.
 struct angle_lanes {
@@ -152,44 +153,46 @@ struct angle_lanes {
 
 /// Returns the angle of x, advanced by `ahead` half turns, for |x| < 2^33. The error of t is below
 /// 2^-52.
-template <int F, angle_unit Unit>
+template <int Point, angle_unit Unit>
 FIXED_LANE_FUNCTION angle_lanes half_turns(f64 x, double ahead) {
-  constexpr double high = half_turns_per<Unit>[0] / one_in<F>;
-  constexpr double low = half_turns_per<Unit>[1] / one_in<F>;
+  constexpr double high = half_turns_per<Unit>[0] / one_in<Point>;
+  constexpr double low = half_turns_per<Unit>[1] / one_in<Point>;
   const f64 whole = nearest_whole(fused(x, f64{} + high, f64{} + ahead));
   return {whole, fused(x, f64{} + low, fused(x, f64{} + high, ahead - whole))};
 }
 
 /// Returns scale * sin(pi t) for |t| <= 1/2. The error is below scale * 2^-48, or scale * 2^-33 if
-/// F <= 16.
-template <int F>
+/// Point <= 16.
+template <int Point>
 FIXED_LANE_FUNCTION f64 sine_of_half_turns(f64 t, double scale) {
-  return t * polynomial(by_precision<F>(few_sine_terms, many_sine_terms), scale, t * t);
+  return t * polynomial(by_precision<Point>(few_sine_terms, many_sine_terms), scale, t * t);
 }
-template <int F>
-inline constexpr double sine_error = by_precision<F>(0x1p-32, 0x1p-46);
+template <int Point>
+inline constexpr double sine_error = by_precision<Point>(0x1p-32, 0x1p-46);
 
 /// Returns the angle of the vector (d, n) in ulps, for d, n >= 0. The error is below 2^-44 radians,
-/// or 2^-31 if F <= 16.
+/// or 2^-31 if Point <= 16.
 ///
 /// Mirrors a steep vector at the diagonal. Then turns the vector back by pi/4 if n / d is above
 /// tan(pi/8).
-template <int F>
+template <int Point>
 FIXED_LANE_FUNCTION f64 angle_of(f64 n, f64 d) {
   constexpr double eighth = 0x1.a827999fcef32p-2;  // tan(pi/8)
-  constexpr double quarter = double_pi / 4 * one_in<F>;
+  constexpr double quarter = double_pi / 4 * one_in<Point>;
   const i64 is_steep = n > d;
   const f64 low = is_steep ? d : n;
   const f64 high = is_steep ? n : d;
   const i64 is_far = low > high * eighth;
   const f64 z = (is_far ? low - high : low) / (is_far ? low + high : high);
-  const f64 angle = fused(
-      z, polynomial(by_precision<F>(few_arctangent_terms, many_arctangent_terms), one_in<F>, z * z),
-      is_far ? f64{} + quarter : f64{});
+  const f64 angle =
+      fused(z,
+            polynomial(by_precision<Point>(few_arctangent_terms, many_arctangent_terms),
+                       one_in<Point>, z * z),
+            is_far ? f64{} + quarter : f64{});
   return is_steep ? 2 * quarter - angle : angle;
 }
-template <int F>
-inline constexpr double angle_error = by_precision<F>(0x1p-30, 0x1p-43) * one_in<F>;
+template <int Point>
+inline constexpr double angle_error = by_precision<Point>(0x1p-30, 0x1p-43) * one_in<Point>;
 
 }  // namespace fixproof::detail::FIXED_LANES
 #endif

@@ -5,12 +5,12 @@
 namespace fixproof::detail::FIXED_LANES {
 
 /// Products, and c added if `adds`.
-template <class N, bool adds>
+template <class Number, bool adds>
 struct product_blocks {
-  using number = N;
+  using number = Number;
   using check = u64;
   static constexpr std::size_t size = width;
-  static constexpr overflow range = N::rules.product_range();
+  static constexpr overflow range = Number::rules.product_range();
   static constexpr bool in_groups = range != overflow::wrap;
   void* out;
   const void* a;
@@ -19,9 +19,9 @@ struct product_blocks {
 
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION auto exact(std::size_t i, Part part) const {
-    const auto product = exact_product<N>(load<N>(a, i, part), load<N>(b, i, part));
+    const auto product = exact_product<Number>(load<Number>(a, i, part), load<Number>(b, i, part));
     if constexpr (adds) {
-      return exact_sum<N>(product, load<N>(c, i, part));
+      return exact_sum<Number>(product, load<Number>(c, i, part));
     } else {
       return product;
     }
@@ -30,24 +30,24 @@ struct product_blocks {
   [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, Part part, u64& sums) const {
     if constexpr (range == overflow::wrap) {
       i32 bad{};
-      return rounded_product<N>(exact(i, part), bad);
+      return rounded_product<Number>(exact(i, part), bad);
     } else {
-      return unchecked<N>(exact(i, part), sums);
+      return unchecked<Number>(exact(i, part), sums);
     }
   }
-  FIXED_LANE_FUNCTION static bool is_clean(u64 sums) { return in_range<N>(sums); }
+  FIXED_LANE_FUNCTION static bool is_clean(u64 sums) { return in_range<Number>(sums); }
   template <class Part>
   FIXED_LANE_FUNCTION void note(std::size_t i, Part part, fault_recorder& found) const {
     i32 bad{};
-    store<N>(out, i, rounded_product<N>(exact(i, part), bad), part);
+    store<Number>(out, i, rounded_product<Number>(exact(i, part), bad), part);
     note_overflows<range>(bad, i, found, part.bits);
   }
 };
 
 /// Half a block of quotients.
-template <class N>
+template <class Number>
 struct quotient_blocks {
-  using number = N;
+  using number = Number;
   using check = std::uint32_t;  // the lanes with a fault
   static constexpr std::size_t size = width / 2;
   static constexpr bool in_groups = true;
@@ -57,7 +57,7 @@ struct quotient_blocks {
 
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION divisor_lanes divisor(std::size_t i, Part part) const {
-    divisor_lanes lanes = divisor_of<N>(load_half<N>(d, i, part));
+    divisor_lanes lanes = divisor_of<Number>(load_half<Number>(d, i, part));
     lanes.zeros &= part.bits;  // other lanes are zero, but no error
     return lanes;
   }
@@ -67,7 +67,7 @@ struct quotient_blocks {
     std::uint32_t errors = 0;
     std::uint32_t overflows = 0;
     const half_i32 values =
-        quotient_if_any<N>(load_half<N>(n, i, part), divisor(i, part), errors, overflows);
+        quotient_if_any<Number>(load_half<Number>(n, i, part), divisor(i, part), errors, overflows);
     faults |= errors | overflows;
     return values;
   }
@@ -76,14 +76,15 @@ struct quotient_blocks {
   FIXED_LANE_FUNCTION void note(std::size_t i, Part part, fault_recorder& found) const {
     std::uint32_t errors = 0;
     std::uint32_t overflows = 0;
-    store<N>(out, i, quotient<N>(load_half<N>(n, i, part), divisor(i, part), errors, overflows),
-             part);
+    store<Number>(
+        out, i,
+        quotient<Number>(load_half<Number>(n, i, part), divisor(i, part), errors, overflows), part);
     note_lanes(fault::divide_error, errors, i, found);
     note_lanes(fault::overflow, overflows, i, found);
   }
 };
 
-template <class Raw, int F>
+template <class Raw, int Point>
 struct root_blocks {
   using number = Raw;
   using check = std::uint32_t;  // the lanes with a fault
@@ -94,7 +95,7 @@ struct root_blocks {
 
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, Part part, std::uint32_t& errors) const {
-    return nearest_roots<F>(load<Raw>(x, i, part), errors);
+    return nearest_roots<Point>(load<Raw>(x, i, part), errors);
   }
   FIXED_LANE_FUNCTION static bool is_clean(std::uint32_t errors) { return errors == 0; }
   template <class Part>

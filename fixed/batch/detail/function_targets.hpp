@@ -17,13 +17,13 @@
 namespace fixproof::detail {
 
 /// The stored integer of 1.
-template <int F>
-inline constexpr double one_in = std::uint64_t{1} << F;
+template <int Point>
+inline constexpr double one_in = std::uint64_t{1} << Point;
 
 /// Returns `few` for formats of at most 16 fraction bits, else `many`.
-template <int F, class Few, class Many>
+template <int Point, class Few, class Many>
 constexpr auto by_precision(const Few& few, const Many& many) noexcept {
-  if constexpr (F <= 16) {
+  if constexpr (Point <= 16) {
     return few;
   } else {
     return many;

@@ -48,28 +48,28 @@ struct loops {
   }
 
   // Operations for run().
-  template <class N>
-  using products = product_blocks<N, false>;
-  template <class N>
-  using mul_adds = product_blocks<N, true>;
-  template <class N>
-  using quotients = quotient_blocks<N>;
-  template <class Raw, int F>
-  using roots = root_blocks<Raw, F>;
-  template <class N, class Float>
-  using from_floats = from_float_blocks<N, Float>;
-  template <class N, class Float>
-  using to_floats =
-      std::conditional_t<std::is_same_v<Float, double>, to_double_blocks<N>, to_float_blocks<N>>;
+  template <class Number>
+  using products = product_blocks<Number, false>;
+  template <class Number>
+  using mul_adds = product_blocks<Number, true>;
+  template <class Number>
+  using quotients = quotient_blocks<Number>;
+  template <class Raw, int Point>
+  using roots = root_blocks<Raw, Point>;
+  template <class Number, class Float>
+  using from_floats = from_float_blocks<Number, Float>;
+  template <class Number, class Float>
+  using to_floats = std::conditional_t<std::is_same_v<Float, double>, to_double_blocks<Number>,
+                                       to_float_blocks<Number>>;
 
   /// Returns the sum of the products, modulo 2^64 or exactly.
-  template <class Sum, class N>
-  FIXED_ALWAYS_INLINE static Sum dot(const N* a, const N* b, std::size_t count) {
+  template <class Sum, class Number>
+  FIXED_ALWAYS_INLINE static Sum dot(const Number* a, const Number* b, std::size_t count) {
     if constexpr (has_masks && FIXED_SURE_OF_AVX512) {
       if (count <= width) {
         const first_elements some(count);
         dot_sums<Sum> sums;
-        sums.add(load<N>(a, 0, some), load<N>(b, 0, some));
+        sums.add(load<Number>(a, 0, some), load<Number>(b, 0, some));
         Sum sum{};
         sums.add_to(sum);
         return sum;
@@ -77,8 +77,8 @@ struct loops {
     }
     return long_dot<Sum>(a, b, count);
   }
-  template <class Sum, class N>
-  FIXED_LANE_LOOP static Sum long_dot(const N* a, const N* b, std::size_t count) {
+  template <class Sum, class Number>
+  FIXED_LANE_LOOP static Sum long_dot(const Number* a, const Number* b, std::size_t count) {
     constexpr bool is_exact = std::is_same_v<Sum, wide_sum>;
     // dot_sums<wide_sum> holds 2^30 products.
     constexpr std::size_t most = is_exact ? std::size_t{1} << 30 : ~std::size_t{0};
@@ -90,17 +90,17 @@ struct loops {
       dot_sums<Sum> second;
       const std::size_t end = i + (std::min)(count - i, most);
       for (; end - i >= 2 * width; i += 2 * width) {
-        first.add(load<N>(a, i), load<N>(b, i));
-        second.add(load<N>(a, i + width), load<N>(b, i + width));
+        first.add(load<Number>(a, i), load<Number>(b, i));
+        second.add(load<Number>(a, i + width), load<Number>(b, i + width));
       }
       if (end - i >= width) {
-        first.add(load<N>(a, i), load<N>(b, i));
+        first.add(load<Number>(a, i), load<Number>(b, i));
         i += width;
       }
       if constexpr (has_masks) {
         if (i < end) {
           const first_elements rest(end - i);
-          second.add(load<N>(a, i, rest), load<N>(b, i, rest));
+          second.add(load<Number>(a, i, rest), load<Number>(b, i, rest));
           i = end;
         }
       }
@@ -120,40 +120,40 @@ struct loops {
 
   /// Does nothing if the lanes are too narrow for sums. References to pointers spare copies of
   /// pointers that were stored one by one, which would wait for those stores.
-  template <template <class> class Transform, class N, class From, class To>
-  FIXED_LANE_LOOP static std::size_t transform(const transform_rows<N>& rows, const From& from,
+  template <template <class> class Transform, class Number, class From, class To>
+  FIXED_LANE_LOOP static std::size_t transform(const transform_rows<Number>& rows, const From& from,
                                                const To& to, std::size_t count,
                                                fault_recorder& found) {
-    if (!Transform<N>::sums_fit_lanes(rows)) return 0;
+    if (!Transform<Number>::sums_fit_lanes(rows)) return 0;
     return transform_blocks<Transform>(rows, from, to, count, found);
   }
 
-  template <class N, class From, class To>
-  FIXED_LANE_LOOP static std::size_t project(N constant, const From& from, const To& to,
+  template <class Number, class From, class To>
+  FIXED_LANE_LOOP static std::size_t project(Number constant, const From& from, const To& to,
                                              std::size_t count, fault_recorder& found) {
     std::size_t i = 0;
     for (; count - i >= width; i += width) {
       i32 x;
       i32 y;
-      project_block<N>(load_vertices<N>(from, i, whole_block{}), i32{} + constant.raw(), x, y, i,
-                       found);
-      store_points<N>(to, i, x, y);
+      project_block<Number>(load_vertices<Number>(from, i, whole_block{}), i32{} + constant.raw(),
+                            x, y, i, found);
+      store_points<Number>(to, i, x, y);
     }
     return i;
   }
 
   /// The vector form of detail::nearest_sine().
-  template <class Raw, int F>
+  template <class Raw, int Point>
   FIXED_LANE_LOOP static std::size_t sines(const void* angles, void* results, std::size_t count,
                                            std::uint64_t ahead) {
-    return each_block(sine_blocks<Raw, F>{angles, results, ahead}, 0, count);
+    return each_block(sine_blocks<Raw, Point>{angles, results, ahead}, 0, count);
   }
 
   /// The same for cosines and sines.
-  template <class Raw, int F>
+  template <class Raw, int Point>
   FIXED_LANE_LOOP static std::size_t sines_and_cosines(const void* angles, void* cosines,
                                                        void* sines, std::size_t count) {
-    return each_block(sine_cosine_blocks<Raw, F>{angles, cosines, sines}, 0, count);
+    return each_block(sine_cosine_blocks<Raw, Point>{angles, cosines, sines}, 0, count);
   }
 };
 

@@ -20,9 +20,9 @@ FIXED_LANE_FUNCTION u64 turns_of_even(i64 angle, std::uint64_t ahead) {
   return lower + (upper << 32) + turns_bias + ahead;
 }
 
-template <int F>
+template <int Point>
 FIXED_LANE_FUNCTION turn_lanes turns_of(i32 raw, std::uint64_t ahead) {
-  const i32 angle = raw << (16 - F);
+  const i32 angle = raw << (16 - Point);
   return {turns_of_even(i64(angle), ahead), turns_of_even(odd_lanes(angle), ahead)};
 }
 
@@ -38,9 +38,9 @@ FIXED_LANE_FUNCTION u64 fast_cosine_of(u64 d) {
 }
 
 /// Returns the sines of a block. Sets the bits of `doubtful` for lanes that may be wrong.
-template <int F>
+template <int Point>
 FIXED_LANE_FUNCTION i32 sines_of(const turn_lanes& turns, std::uint32_t& doubtful) {
-  using rounding = fast_rounding<F>;
+  using rounding = fast_rounding<Point>;
   const i32 sign = interleaved(turns.even >> 32, turns.odd) >> 31;
   const u64 even = fast_cosine_of((turns.even - quarter_turn) >> 31) + rounding::bias;
   const u64 odd = fast_cosine_of((turns.odd - quarter_turn) >> 31) + rounding::bias;
@@ -53,15 +53,15 @@ FIXED_LANE_FUNCTION i32 sines_of(const turn_lanes& turns, std::uint32_t& doubtfu
 }
 
 /// detail::nearest_sine(), lane by lane.
-template <int F>
+template <int Point>
 FIXED_LANE_TARGET __attribute__((noinline)) i32 nearest_sines(i32 raw, std::uint64_t ahead) {
   for (std::size_t i = 0; i < width; ++i) {
-    raw[i] = nearest_sine<F>(raw[i], ahead);
+    raw[i] = nearest_sine<Point>(raw[i], ahead);
   }
   return raw;
 }
 
-template <class Raw, int F>
+template <class Raw, int Point>
 struct sine_blocks : no_faults {
   using number = Raw;
   static constexpr std::size_t size = width;
@@ -76,19 +76,19 @@ struct sine_blocks : no_faults {
   [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, Part part, no_faults& /*seen*/) const {
     const i32 raw = load<Raw>(angles, i, part);
     std::uint32_t doubtful = 0;
-    i32 values = sines_of<F>(turns_of<F>(raw, ahead), doubtful);
+    i32 values = sines_of<Point>(turns_of<Point>(raw, ahead), doubtful);
     if ((doubtful & part.bits) != 0) [[unlikely]] {
-      values = nearest_sines<F>(raw, ahead);
+      values = nearest_sines<Point>(raw, ahead);
     }
     return values;
   }
 };
 
 /// Cosines and sines, or where they go.
-template <class T>
+template <class Type>
 struct cosines_and_sines {
-  T cosines;
-  T sines;
+  Type cosines;
+  Type sines;
 };
 
 template <class Raw, class Part>
@@ -98,7 +98,7 @@ FIXED_LANE_FUNCTION void store(const cosines_and_sines<void*>& out, std::size_t 
   store<Raw>(out.cosines, i, x.cosines, part);
 }
 
-template <class Raw, int F>
+template <class Raw, int Point>
 struct sine_cosine_blocks : no_faults {
   using number = Raw;
   static constexpr std::size_t size = width;
@@ -112,13 +112,13 @@ struct sine_cosine_blocks : no_faults {
   [[nodiscard]] FIXED_LANE_FUNCTION cosines_and_sines<i32> at(std::size_t i, Part part,
                                                               no_faults& /*seen*/) const {
     const i32 raw = load<Raw>(angles, i, part);
-    const turn_lanes turns = turns_of<F>(raw, 0);
+    const turn_lanes turns = turns_of<Point>(raw, 0);
     std::uint32_t doubtful = 0;
-    i32 sines = sines_of<F>(turns, doubtful);
-    i32 cosines = sines_of<F>({turns.even + quarter_turn, turns.odd + quarter_turn}, doubtful);
+    i32 sines = sines_of<Point>(turns, doubtful);
+    i32 cosines = sines_of<Point>({turns.even + quarter_turn, turns.odd + quarter_turn}, doubtful);
     if ((doubtful & part.bits) != 0) [[unlikely]] {
-      sines = nearest_sines<F>(raw, 0);
-      cosines = nearest_sines<F>(raw, quarter_turn);
+      sines = nearest_sines<Point>(raw, 0);
+      cosines = nearest_sines<Point>(raw, quarter_turn);
     }
     return {cosines, sines};
   }

@@ -85,21 +85,21 @@ class fault_recorder {
   /// Returns the report. Without marks, throws the error of the first element for which an
   /// operation under these rules throws.
   /// @param operation the name in the text of the error
-  template <overflow O, divide_fault Fault>
+  template <overflow Overflow, divide_fault Fault>
   [[nodiscard]] batch::report finish(const char* operation) const {
     if (!any_) [[likely]] {
       return {};
     }
-    return finish_with_faults<O, Fault>(operation);
+    return finish_with_faults<Overflow, Fault>(operation);
   }
 
  private:
-  template <overflow O, divide_fault Fault>
+  template <overflow Overflow, divide_fault Fault>
   [[nodiscard]] FIXED_NOINLINE batch::report finish_with_faults(const char* operation) const {
     const fault_count& divides = of(fault::divide_error);
     const fault_count& ranges = of(fault::overflow);
     const fault_count& domains = of(fault::domain_error);
-    constexpr bool traps = O == overflow::trap;
+    constexpr bool traps = Overflow == overflow::trap;
     if constexpr (traps || Fault != divide_fault::none) {
       const bool before = !traps || divides.first < ranges.first;
       if (marks_.empty() && divides.count > 0 && before) {
@@ -123,7 +123,7 @@ class fault_recorder {
   }
 
   bool any_ = false;
-  std::array<fault_count, 4> found_;  ///< indeterminate unless any_
+  std::array<fault_count, 4> found_{};  ///< meaningless unless any_
   std::span<bool> marks_;
 };
 

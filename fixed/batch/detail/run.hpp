@@ -38,13 +38,14 @@ FIXED_ALWAYS_INLINE std::size_t batch_length(const batch::options& how,
 /// Computes elements and records their faults. Calls `blocks` on the path of `how`, then `rest`.
 /// @tparam few      up to this many elements are faster without that path
 /// @tparam has      whether the loops cover the operation
-/// @tparam O        the overflow rule of the operation
+/// @tparam Overflow the overflow rule of the operation
 /// @tparam Fault    the divide errors of the operation
 /// @param done      the number of elements that are done already
 /// @param blocks    (loops, const recording&) -> number of elements done
 /// @param rest      (number of elements done, fault_recorder&), computes the others
 /// @param operation the name in the text of an error
-template <std::size_t few, bool has, overflow O, divide_fault Fault, class Blocks, class Rest>
+template <std::size_t few, bool has, overflow Overflow, divide_fault Fault, class Blocks,
+          class Rest>
 FIXED_ALWAYS_INLINE batch::report run_recorded(const char* operation, const batch::options& how,
                                                std::size_t done, std::size_t count,
                                                const Blocks& blocks, const Rest& rest) {
@@ -54,7 +55,7 @@ FIXED_ALWAYS_INLINE batch::report run_recorded(const char* operation, const batc
     done = (std::max)(done, on_path<has>(how.use, [&](auto on) { return blocks(on, from); }));
   }
   if (done < count) rest(done, found);
-  return found.template finish<O, Fault>(operation);
+  return found.template finish<Overflow, Fault>(operation);
 }
 
 /// Calls a lambda, and is never inlined. A local variable that the lambda captures by reference is
@@ -72,8 +73,8 @@ FIXED_ALWAYS_INLINE batch::report clean_report(const batch::options& how, std::s
 
 /// Keeps a copy in memory, from where compilers load it after a call. Otherwise they keep it in a
 /// register that the function saves when it starts, even if it makes no call.
-template <class T>
-FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] T& copy) noexcept {
+template <class Type>
+FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] Type& copy) noexcept {
 #if defined(__GNUC__)
   asm("" : "+m"(copy));
 #endif
@@ -86,11 +87,11 @@ FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] T& copy) noexcept {
 ///                  few_blocks, the index of an element, or a recording. Without a recording, stops
 ///                  at a fault.
 /// @param element   as for each_element()
-template <std::size_t few, bool has, overflow O, divide_fault Fault = divide_fault::none,
-          class Blocks, class Element, class T, class... From>
+template <std::size_t few, bool has, overflow Overflow, divide_fault Fault = divide_fault::none,
+          class Blocks, class Element, class Type, class... From>
 FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
                                             std::size_t count, Blocks blocks, Element element,
-                                            T* to, const From*... from) {
+                                            Type* to, const From*... from) {
   // First blocks without a call are faster than the plain loop from few / 4 + 1 elements on.
   constexpr bool blocks_first = has && sure_of_masks;
   std::size_t done = 0;
@@ -98,7 +99,7 @@ FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::
     for (; done < count; ++done) {
       const auto one = element(done, from...);
       if (one.what != fault::none) break;
-      to[done] = stored<T>(one.raw);
+      to[done] = stored<Type>(one.raw);
     }
   } else if constexpr (blocks_first) {
     done = on_path<has>(how.use,
@@ -112,7 +113,7 @@ FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::
         done, on_path<has>(how.use, [&](auto on) { return blocks(on, done, count, to, from...); }));
     if (done == end) return clean_report(how, end);
     return apart([=] {
-      return run_recorded<0, has, O, Fault>(
+      return run_recorded<0, has, Overflow, Fault>(
           operation, how, done, end,
           [=](auto on, const recording& start) { return blocks(on, start, end, kept...); },
           [=](std::size_t i, fault_recorder& found) {

@@ -40,28 +40,28 @@ namespace fixproof::detail {
 
 /// Whether vector registers multiply and add the numbers, which needs signed stored integers of 16
 /// or 32 bits.
-template <class N>
-inline constexpr bool has_lanes = std::is_signed_v<typename N::raw_type> &&
-                                  (sizeof(N) == 2 || sizeof(N) == 4);
+template <class Number>
+inline constexpr bool has_lanes = std::is_signed_v<typename Number::raw_type> &&
+                                  (sizeof(Number) == 2 || sizeof(Number) == 4);
 
 /// The same for multiply-add, whose sums must fit into twice the width.
-template <class N>
+template <class Number>
 inline constexpr bool has_mul_add_lanes =
-    has_lanes<N>&& N::fraction_bits <= bits_of<typename N::raw_type> - 2;
+    has_lanes<Number>&& Number::fraction_bits <= bits_of<typename Number::raw_type> - 2;
 
 /// The same for conversions, which need exact doubles.
-template <class N>
-inline constexpr bool has_float_lanes = has_lanes<N>&& hardware_double;
+template <class Number>
+inline constexpr bool has_float_lanes = has_lanes<Number>&& hardware_double;
 
 /// The same for quotients, whose numerators must fit into 48 bits.
-template <class N>
-inline constexpr bool has_quotient_lanes =
-    has_float_lanes<N>&& has_fast_quotient<typename N::raw_type, N::fraction_bits, N::rules>;
+template <class Number>
+inline constexpr bool has_quotient_lanes = has_float_lanes<Number>&&
+    has_fast_quotient<typename Number::raw_type, Number::fraction_bits, Number::rules>;
 
 /// The same for square roots.
-template <class N>
+template <class Number>
 inline constexpr bool has_root_lanes =
-    has_float_lanes<N>&& has_fast_root<typename N::raw_type, N::fraction_bits>;
+    has_float_lanes<Number>&& has_fast_root<typename Number::raw_type, Number::fraction_bits>;
 
 }  // namespace fixproof::detail
 

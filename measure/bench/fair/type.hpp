@@ -102,7 +102,7 @@ struct BatchSine : Batch<q16_16> {
 };
 struct BatchSineCosine : Batch<q16_16> {
   static void run(const View<in, out>& v, std::size_t n) {
-    batch::sin_cos(std::span(v.a, n), std::span(v.x, n), std::span(v.y, n));
+    batch::sin_cos(std::span(v.a, n), std::span(v.y, n), std::span(v.x, n));
   }
 };
 struct BatchFromDouble : Batch<double, q16_16> {

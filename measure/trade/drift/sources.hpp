@@ -52,6 +52,8 @@ struct ExactSteps {
         return std::copysign(std::floor(std::fabs(units) + 0.5), units) / 65536.0;
       case fixproof::rounding::floor:
         return std::floor(units) / 65536.0;
+      case fixproof::rounding::ceiling:
+        return std::ceil(units) / 65536.0;
       case fixproof::rounding::truncate:
         return std::trunc(units) / 65536.0;
       case fixproof::rounding::half_even:

@@ -191,8 +191,6 @@ TEST(EvalType, RemaindersQuotientsOfProductsAndLengths) {
   expect("mul_div --format q4_4", {{"80 80 81", "7f"}});
   command::expect_refused("eval remainder --format u8_8",
                           "remainder has signed formats, which u8_8 is not");
-  command::expect_refused("eval hypot3 --format q32_32",
-                          "hypot3 has formats of at most 32 bits, which q32_32 is not");
 }
 
 TEST(EvalOptions, EachRoundingAppliesToItsOwnRoutine) {

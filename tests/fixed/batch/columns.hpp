@@ -36,7 +36,8 @@ struct Type {
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Type& type) {
-  constexpr std::array roundings{"half_up", "half_away", "floor", "truncate", "half_even"};
+  constexpr std::array roundings{"half_up",  "half_away", "floor",
+                                 "truncate", "half_even", "ceiling"};
   constexpr std::array ranges{"wraps", "saturates", "traps"};
   constexpr std::array faults{"none", "zero_divisor", "unsigned_quotient", "signed_quotient"};
   const auto name = [](const auto& names, auto rule) {

@@ -16,24 +16,27 @@ namespace {
 constexpr fixproof::policy to_even{.multiply = fixproof::rounding::half_even};
 constexpr fixproof::policy to_even_and_saturate{.multiply = fixproof::rounding::half_even,
                                                 .range = fixproof::overflow::saturate};
+constexpr fixproof::policy up{.multiply = fixproof::rounding::ceiling};
+constexpr fixproof::policy up_and_saturate{.multiply = fixproof::rounding::ceiling,
+                                           .range = fixproof::overflow::saturate};
 
 #ifdef FIXPROOF_FEW_TYPES
-using number_types =
-    testing::Types<fixproof::q16_16, fixproof::q16_16_trapping, fixproof::q16_16_i8088_unrounded,
-                   fixproof::number<std::int32_t, 16, to_even>,
-                   fixproof::number<std::int16_t, 8, to_even_and_saturate>,
-                   fixproof::number<std::int32_t, 32>, fixproof::number<std::uint32_t, 16>,
-                   fixproof::number<std::int64_t, 32>>;
+using number_types = testing::Types<
+    fixproof::q16_16, fixproof::q16_16_trapping, fixproof::q16_16_i8088_unrounded,
+    fixproof::number<std::int32_t, 16, to_even>, fixproof::number<std::int32_t, 16, up>,
+    fixproof::number<std::int16_t, 8, up_and_saturate>,
+    fixproof::number<std::int16_t, 8, to_even_and_saturate>, fixproof::number<std::int32_t, 32>,
+    fixproof::number<std::uint32_t, 16>, fixproof::number<std::int64_t, 32>>;
 #else
-using number_types =
-    testing::Types<fixproof::q16_16, fixproof::q16_16_saturating, fixproof::q16_16_trapping,
-                   fixproof::q16_16_i386_unrounded, fixproof::q16_16_i8088,
-                   fixproof::q16_16_i8088_unrounded, fixproof::q8_8, fixproof::q8_8_saturating,
-                   fixproof::number<std::int32_t, 16, to_even>,
-                   fixproof::number<std::int16_t, 8, to_even_and_saturate>,
-                   fixproof::number<std::int32_t, 31, fixproof::policies::saturating>,
-                   fixproof::number<std::int32_t, 32>, fixproof::number<std::uint32_t, 16>,
-                   fixproof::number<std::int8_t, 3>, fixproof::number<std::int64_t, 32>>;
+using number_types = testing::Types<
+    fixproof::q16_16, fixproof::q16_16_saturating, fixproof::q16_16_trapping,
+    fixproof::q16_16_i386_unrounded, fixproof::q16_16_i8088, fixproof::q16_16_i8088_unrounded,
+    fixproof::q8_8, fixproof::q8_8_saturating, fixproof::number<std::int32_t, 16, to_even>,
+    fixproof::number<std::int32_t, 16, up>, fixproof::number<std::int16_t, 8, up_and_saturate>,
+    fixproof::number<std::int16_t, 8, to_even_and_saturate>,
+    fixproof::number<std::int32_t, 31, fixproof::policies::saturating>,
+    fixproof::number<std::int32_t, 32>, fixproof::number<std::uint32_t, 16>,
+    fixproof::number<std::int8_t, 3>, fixproof::number<std::int64_t, 32>>;
 #endif
 
 /// Every exponent, halves and their neighbours, infinities, NaN, zeros and subnormals.

@@ -240,7 +240,7 @@ TEST(Lengths, MayHaveASign) {
   EXPECT_EQ(out.data()[24], fixproof::sqrt(N(2)));
   fixproof::batch::sin(a, out);
   std::vector<N> sines(30);
-  fixproof::batch::sin_cos(b, out, sines);
+  fixproof::batch::sin_cos(b, sines, out);
   EXPECT_EQ(out.data()[24], fixproof::cos(N(2)));
   EXPECT_EQ(fixproof::batch::dot(a, b), N(240));
 

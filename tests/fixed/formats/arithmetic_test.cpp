@@ -85,7 +85,9 @@ Returned expected(Function function, const Type& type, const integer& x) {
   const auto whole = [&](rounding rule) {
     return in_type(reference::round(x, type.one, rule) * type.one);
   };
-  const bool to_nearest = rules.multiply != rounding::floor && rules.multiply != rounding::truncate;
+  const bool to_nearest = rules.multiply != rounding::floor &&
+                          rules.multiply != rounding::truncate &&
+                          rules.multiply != rounding::ceiling;
   if (function == Function::negate) return in_type(-x);
   if (function == Function::floor) return whole(rounding::floor);
   if (function == Function::trunc) return whole(rounding::truncate);

@@ -36,6 +36,7 @@ constexpr auto dots = []<class N>() {
 
 TEST(BatchesOfDots, HalfUpWrap) { under<fixproof::policies::wrapping, Turn<0, 4>>(dots); }
 TEST(BatchesOfDots, HalfEvenSaturate) { under<formats::even_saturate, Turn<1, 4>>(dots); }
+TEST(BatchesOfDots, CeilingSaturate) { under<formats::ceiling_saturate, Turn<1, 4>>(dots); }
 TEST(BatchesOfDots, HalfAwayTrap) { under<formats::away_trap, Turn<2, 4>>(dots); }
 TEST(BatchesOfDots, FloorWrapAndSumsTrap) { under<formats::mixed, Turn<3, 4>>(dots); }
 

@@ -48,6 +48,7 @@ constexpr policy products_trap{.multiply = fixproof::rounding::half_even,
 
 TEST(BatchesOfProducts, HalfUpWrap) { under<fixproof::policies::wrapping, Turn<0, 6>>(products); }
 TEST(BatchesOfProducts, HalfEvenSaturate) { under<formats::even_saturate, Turn<1, 6>>(products); }
+TEST(BatchesOfProducts, CeilingSaturate) { under<formats::ceiling_saturate, Turn<1, 6>>(products); }
 TEST(BatchesOfProducts, HalfAwayTrap) { under<formats::away_trap, Turn<2, 6>>(products); }
 TEST(BatchesOfProducts, TruncateSaturate) {
   under<formats::truncate_saturate, Turn<3, 6>>(products);

@@ -24,6 +24,9 @@ constexpr auto quotients = []<class N>() {
 
 TEST(BatchesOfQuotients, HalfUpWrap) { under<fixproof::policies::wrapping, Turn<0, 7>>(quotients); }
 TEST(BatchesOfQuotients, HalfEvenSaturate) { under<formats::even_saturate, Turn<1, 7>>(quotients); }
+TEST(BatchesOfQuotients, CeilingSaturate) {
+  under<formats::ceiling_saturate, Turn<1, 7>>(quotients);
+}
 TEST(BatchesOfQuotients, HalfAwayTrap) { under<formats::away_trap, Turn<2, 7>>(quotients); }
 TEST(BatchesOfQuotients, TruncateSaturateAndSumsTrap) {
   under<formats::mixed, Turn<3, 7>>(quotients);

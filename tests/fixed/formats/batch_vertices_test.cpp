@@ -150,6 +150,7 @@ constexpr policy quotients_saturate{.quotients = overflow::saturate};
 
 TEST(BatchesOfVertices, HalfUpWrap) { under<fixproof::policies::wrapping, Turn<0, 2>>(vertices); }
 TEST(BatchesOfVertices, HalfEvenSaturate) { under<formats::even_saturate, Turn<1, 2>>(vertices); }
+TEST(BatchesOfVertices, CeilingSaturate) { under<formats::ceiling_saturate, Turn<1, 2>>(vertices); }
 TEST(BatchesOfVertices, HalfAwayTrap) { under<formats::away_trap, NoTurn, formats_32>(vertices); }
 TEST(BatchesOfVertices, SumsTrap) { under<formats::mixed, NoTurn, formats_32>(vertices); }
 TEST(BatchesOfVertices, ProductsSaturate) {

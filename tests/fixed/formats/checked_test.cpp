@@ -353,6 +353,7 @@ TEST(MulDivAndRatio, TiesFollowThePolicy) {
   expect_halves<rounding::half_even>(2, -2);
   expect_halves<rounding::truncate>(2, -2);
   expect_halves<rounding::floor>(2, -3);
+  expect_halves<rounding::ceiling>(3, -2);
   expect_halves<rounding::half_away, std::int8_t>(3, -3);
 }
 

@@ -19,6 +19,9 @@ inline constexpr fixproof::policy away_trap{.multiply = fixproof::rounding::half
 inline constexpr fixproof::policy truncate_saturate{.multiply = fixproof::rounding::truncate,
                                                     .divide = fixproof::rounding::truncate,
                                                     .range = fixproof::overflow::saturate};
+inline constexpr fixproof::policy ceiling_saturate{.multiply = fixproof::rounding::ceiling,
+                                                   .divide = fixproof::rounding::ceiling,
+                                                   .range = fixproof::overflow::saturate};
 inline constexpr fixproof::policy floor_wrap{.multiply = fixproof::rounding::floor,
                                              .divide = fixproof::rounding::floor};
 /// Products wrap and quotients saturate, as those of Doom; sums throw.
@@ -44,6 +47,8 @@ using narrow =
     testing::Types<number<std::int8_t, 0, even_saturate>, number<std::int8_t, 4>,
                    number<std::int8_t, 7, away_trap>, number<std::int8_t, 8, truncate_saturate>,
                    number<std::int8_t, 8, floor_wrap>, number<std::uint8_t, 0, mixed>,
+                   number<std::int8_t, 4, ceiling_saturate>,
+                   number<std::uint8_t, 5, ceiling_saturate>,
                    number<std::uint8_t, 3, even_saturate>, number<std::uint8_t, 8>,
                    number<std::int8_t, 4, whole_divisor>, number<std::int8_t, 5, signed_fault>,
                    number<std::int8_t, 3, unsigned_fault>, number<std::uint8_t, 4, unsigned_fault>>;
@@ -53,7 +58,8 @@ using wide = testing::Types<
     number<std::uint16_t, 16, away_trap>, number<std::int32_t, 0, mixed>,
     number<std::int32_t, 0, even_saturate>, number<std::int32_t, 8, floor_wrap>,
     number<std::int32_t, 16, even_saturate>, number<std::int32_t, 16, mixed>,
-    number<std::int32_t, 24, truncate_saturate>, number<std::int32_t, 30>,
+    number<std::int32_t, 24, truncate_saturate>, number<std::int32_t, 16, ceiling_saturate>,
+    number<std::int64_t, 40, ceiling_saturate>, number<std::int32_t, 30>,
     number<std::int32_t, 31, even_saturate>, number<std::int32_t, 32, away_trap>,
     number<std::uint32_t, 0>, number<std::uint32_t, 16, mixed>,
     number<std::uint32_t, 32, even_saturate>, number<std::int64_t, 0, away_trap>,

@@ -121,7 +121,7 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
       if constexpr (!has_tenths<N>) {
         digest.add(a % (b == N() ? N::from_raw(1) : b));
       } else {
-        const auto [cosine, sine] = sin_cos_of_tenths<N>(static_cast<std::int32_t>(draw.word()));
+        const auto [sine, cosine] = sin_cos_of_tenths<N>(static_cast<std::int32_t>(draw.word()));
         digest.add(cosine);
         digest.add(sine);
       }
@@ -170,7 +170,7 @@ void compute(std::uint64_t operation, Draws& draw, Digest& digest) {
         digest.add(a << static_cast<int>(draw.word() % 8));
         digest.add(b >> static_cast<int>(draw.word() % 8));
       } else {
-        const auto [cosine, sine] = sin_cos(a);
+        const auto [sine, cosine] = sin_cos(a);
         digest.add(cosine);
         digest.add(sine);
       }

@@ -65,9 +65,9 @@ void add(std::string& text, const overflowing<N>& x) {
   if (x.overflow) add_words(text, "overflows");
 }
 template <class N>
-void add(std::string& text, const cos_sin<N>& x) {
-  add(text, x.cos);
+void add(std::string& text, const sin_and_cos<N>& x) {
   add(text, x.sin);
+  add(text, x.cos);
 }
 template <class A, class B>
 void add(std::string& text, const std::pair<A, B>& x) {

@@ -198,6 +198,7 @@ TYPED_TEST(Interface, Functions) {
     using std::max;
     return max(x, y);
   }(a, b));
+  RECORDS_TWO(clamp(a, b, c));
   RECORDS(sqrt(a));
   RECORDS(mul_add(a, b, c));
   RECORDS(lerp(a, b, c));

@@ -255,7 +255,7 @@ TEST(Judge, AProductOverADivisor) {
 TEST(Judge, ListedRoutinesOfSeveralWordsAgree) {
   const ScratchFolder folder;
   for (const auto& [operation, as, rule] :
-       {std::tuple("cossin", "sin_cos", "the nearest words"),
+       {std::tuple("cossin", "cos_sin", "the nearest words"),
         std::tuple("xformvec", "transform", "each product half-up")}) {
     const auto file = folder.write(std::string(operation) + ".asm",
                                    command::output_of(std::string("list ") + operation));

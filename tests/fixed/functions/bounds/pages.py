@@ -72,7 +72,7 @@ def differences(proofs, source, folder, is_whole=True, decided=None):
 def declared_in(source, header):
     path = os.path.join(os.path.dirname(source.folder.rstrip("/")), f"{header}.hpp")
     with open(path, encoding="ascii") as file:
-        return set(re.findall(r"constexpr\s+number<Raw, F, P>\s+(\w+)\(", file.read()))
+        return set(re.findall(r"constexpr\s+number<Raw, Point, Rules>\s+(\w+)\(", file.read()))
 
 
 def in_table_of_functions(folder):

@@ -10,7 +10,7 @@ int main() {
   constexpr q16_16 half(0.5);
   constexpr q16_16 x = q16_16(7) / q16_16(2) + half;
   static_assert(x == q16_16(4) && x.raw() == 0x40000);
-  const auto [cos, sin] = fixproof::sin_cos_of_tenths<q16_16>(450);
+  const auto [sin, cos] = fixproof::sin_cos_of_tenths<q16_16>(450);
   std::cout << x * cos << '\n';
   const fixproof::q16_16_saturating far(1e9);
   const bool right = fixproof::to_string(x * cos) == "2.82843017578125" && cos == sin &&
