@@ -180,7 +180,7 @@ bool print_inspection(const judge::Subject& subject) {
     return true;
   }
   const judge::Inspection inspection = judge::inspect(subject);
-  std::cout << '\n' << inspection_text(inspection, subject.image.architecture == nullptr);
+  std::cout << '\n' << inspection_text(inspection, subject.image);
   // Code for older processors has a table of clocks, which counts instructions, too.
   if (subject.image.bits == 64 || subject.image.architecture != nullptr) {
     std::cout << instructions_text(inspection);

@@ -17,11 +17,13 @@ namespace fixproof::cli {
 
 namespace {
 
-std::string machine_text(const judge::Verdict& verdict) {
-  std::string text = fmt::format(
-      "{} case{} {} in {}", support::grouped(verdict.cases), verdict.cases == 1 ? "" : "s",
-      verdict.machine == judge::On::processor ? "on this processor" : "on Unicorn",
-      support::duration(verdict.seconds));
+std::string machine_text(const judge::Verdict& verdict, const judge::Image& image) {
+  std::string text = fmt::format("{} case{} {} in {}", support::grouped(verdict.cases),
+                                 verdict.cases == 1 ? "" : "s",
+                                 verdict.machine == judge::On::processor
+                                     ? "on this processor"
+                                     : fmt::format("on {}", judge::emulator_of(image.architecture)),
+                                 support::duration(verdict.seconds));
   if (verdict.on_both > 0) {
     text += fmt::format(", {} of them also on Unicorn", support::grouped(verdict.on_both));
   }
@@ -160,7 +162,7 @@ std::string heading_text(const judge::Subject& subject, const std::string& file,
 
 std::string calls_text(const judge::Subject& subject, const judge::Verdict& verdict) {
   const judge::Image& image = subject.image;
-  std::string text = machine_text(verdict);
+  std::string text = machine_text(verdict, image);
   if (verdict.stuck) {
     return text + fmt::format("BROKEN: for {} the routine {}\n", verdict.stuck->operands,
                               text_of(verdict.stuck->ending, subject.image));
@@ -237,8 +239,10 @@ std::string instructions_text(const judge::Inspection& inspection) {
       static_cast<double>(inspection.instructions) / static_cast<double>(inspection.calls));
 }
 
-std::string inspection_text(const judge::Inspection& inspection, bool is_x86) {
-  std::string text = fmt::format("{} calls step by step on Unicorn:", inspection.calls);
+std::string inspection_text(const judge::Inspection& inspection, const judge::Image& image) {
+  const bool is_x86 = image.architecture == nullptr;
+  std::string text = fmt::format("{} calls step by step on {}:", inspection.calls,
+                                 judge::emulator_of(image.architecture));
   if (inspection.is_clean()) {
     return text + fmt::format(" {}no foreign memory is used, no instruction is changed\n",
                               is_x86 ? "no undefined flag is read, " : "");

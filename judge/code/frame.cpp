@@ -82,7 +82,7 @@ std::vector<RegisterName> kept_by_convention(int bits) {
           {Register::bx, Size::dword}};
 }
 
-PlaceText place_text(std::string_view text) {
+PlaceText place_text(std::string_view text, std::size_t most_parts, std::size_t of_pointer) {
   PlaceText place;
   std::string_view inner = text;
   if (text.starts_with('[') && text.ends_with(']')) {
@@ -90,8 +90,7 @@ PlaceText place_text(std::string_view text) {
     inner = trimmed(text.substr(1, text.size() - 2));
   }
   place.parts = split(inner, ':');
-  if (place.parts.empty() || place.parts.size() > 2 ||
-      (place.is_pointer && place.parts.size() > 1)) {
+  if (place.parts.empty() || place.parts.size() > (place.is_pointer ? of_pointer : most_parts)) {
     throw UsageError(fmt::format(
         "--frame: {} is not a place; write a register, a pair like dx:ax or a pointer like [si]",
         support::quoted(inner)));
@@ -101,7 +100,8 @@ PlaceText place_text(std::string_view text) {
 
 }  // namespace
 
-std::optional<FrameText> frame_text(std::string_view text) {
+std::optional<FrameText> frame_text(std::string_view text, std::size_t most_parts,
+                                    std::size_t of_pointer) {
   const std::size_t arrow = text.find("->");
   if (arrow == std::string_view::npos) return std::nullopt;
   FrameText parts;
@@ -111,8 +111,13 @@ std::optional<FrameText> frame_text(std::string_view text) {
     parts.kept = split(results.substr(keeps + word.size()), ',');
     results = results.substr(0, keeps);
   }
-  for (const auto part : split(text.substr(0, arrow), ',')) parts.in.push_back(place_text(part));
-  for (const auto part : split(results, ',')) parts.out.push_back(place_text(part));
+  const auto add = [&](std::string_view places, std::vector<PlaceText>& to) {
+    for (const auto part : split(places, ',')) {
+      to.push_back(place_text(part, most_parts, of_pointer));
+    }
+  };
+  add(text.substr(0, arrow), parts.in);
+  add(results, parts.out);
   return parts;
 }
 
@@ -249,9 +254,11 @@ void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
 Frame frame_for(const Image& image, std::string_view text, const cases::Variant& variant) {
   if (image.architecture == nullptr) return frame_named(text, image.bits, variant);
   const Architecture& architecture = *image.architecture;
-  const auto parts = frame_text(text);
+  const auto words = [&](int bits) { return static_cast<std::size_t>(bits / image.bits); };
+  const auto parts =
+      frame_text(text, std::max<std::size_t>(2, words(64)), words(architecture.pointer_bits));
   const auto in_c =
-      parts ? signature_in_c(*parts, variant, architecture.word_bits()) : std::nullopt;
+      parts ? signature_in_c(*parts, variant, architecture.pointer_bits) : std::nullopt;
   Frame frame{.text = std::string(text),
               .on_stack = false,
               .signature = in_c.value_or(signature_of(variant))};

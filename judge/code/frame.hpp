@@ -24,7 +24,7 @@ struct Place {
 
 /// The names in a place and in a frame of registers, as a user wrote them.
 struct PlaceText {
-  std::vector<std::string_view> parts{};  ///< one or two, the highest bits first
+  std::vector<std::string_view> parts{};  ///< the highest bits first
   bool is_pointer = false;
 };
 struct FrameText {
@@ -34,7 +34,10 @@ struct FrameText {
 };
 /// Takes a frame such as `dx:ax, cx:bx -> dx:ax keeps si` apart; nothing for one without an arrow.
 /// @throws support::UsageError naming what is no place
-std::optional<FrameText> frame_text(std::string_view text);
+/// @param most_parts of a number
+/// @param of_pointer the most parts of a pointer
+std::optional<FrameText> frame_text(std::string_view text, std::size_t most_parts = 2,
+                                    std::size_t of_pointer = 1);
 
 struct Frame {
   std::string text;                  ///< as the user wrote it

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "judge/code/compiler.hpp"
+#include "judge/code/machine.hpp"
 #include "support/bounded_file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -209,12 +210,15 @@ Image image_of(const std::string& path, const std::string& bytes, const LoadOpti
   if (bytes.starts_with("\177ELF")) {
     image.architecture = architecture_of_elf(bytes);
     const std::optional<int> bits =
-        image.architecture != nullptr ? image.architecture->word_bits() : bits_of_elf(bytes);
+        image.architecture != nullptr ? image.architecture->word_bits : bits_of_elf(bytes);
     if (!bits) {
       const std::string others = names_of_architectures();
       throw UsageError(fmt::format(
           "the ELF file is for none of the processors that judge runs: i386, x86-64{}{}",
           others.empty() ? "; others need Unicorn" : ", ", others));
+    }
+    if (const std::string absence = absence_on_emulator(image.architecture); !absence.empty()) {
+      throw UsageError(absence);
     }
     // An object for the i386 may have 16-bit code.
     image.bits = options.bits.value_or(*bits);
@@ -262,14 +266,17 @@ bool has_extension(const std::string& path, const std::string& extension) {
 }
 
 void load_flat(Image& image, const std::string& bytes, std::uint32_t origin) {
-  const bool wide = image.bits >= 32;
-  image.memory.assign(wide ? 0x100000 : 0x10000,
+  const DataSpace apart = image.architecture != nullptr ? image.architecture->data : DataSpace{};
+  const bool is_apart = apart.first != 0;
+  image.memory.assign(is_apart           ? apart.first + DataSpace::bytes
+                      : image.bits == 16 ? 0x10000
+                                         : 0x100000,
                       image.architecture != nullptr ? unused_elsewhere : unused);
   const auto size = static_cast<std::uint32_t>(image.memory.size());
-  image.exit = image.base + size - exit_bytes;
-  image.data = image.exit - data_bytes;
+  image.exit = (is_apart ? apart.code_end : image.base + size) - exit_bytes;
+  image.data = image.base + size - exit_bytes - data_bytes;
   image.stack_top = image.data;
-  const std::uint32_t room = (image.stack_top - stack_bytes) & ~0xFFFU;
+  const std::uint32_t room = (is_apart ? image.exit : image.stack_top - stack_bytes) & ~0xFFFU;
   if (origin > room || bytes.size() > room - origin) {
     throw UsageError(fmt::format("the code ends at {:x}h; {}-bit code has room up to {:x}h",
                                  origin + bytes.size(), image.bits, room));

@@ -2,8 +2,17 @@
 /// Routines for processors other than x86, as compilers translated them.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <iostream>
+#include <string>
 #include <string_view>
+#include <vector>
+
+#include "judge/code/architecture.hpp"
+#include "judge/code/machine.hpp"
+#include "tests/judge/code/elf_of.hpp"
 
 namespace other_processors {
 
@@ -14,11 +23,13 @@ namespace other_processors {
 ///   the same less 1 where the product is negative and a tie: wrong_ties
 ///   int64_t add(int64_t a, int64_t b) { return a + b; }
 ///   int behind(const int16_t* a, const int16_t* b, int32_t* r, int n) {
-///     for (int i = 0; i < n; ++i) r[i] = a[i] * b[i];
+///     for (int i = 0; i < n; ++i) r[i] = (int32_t)a[i] * b[i];
 ///     return -1;
 ///   }
 ///   long scaled(long a, long b) { return (long)(((long long)a * b + 0x8000) >> 16); }
 ///   int64_t pair(const int32_t* v) { return (int64_t)v[0] + v[1]; }
+///
+/// For the AVR, GCC 5.4 made them at -Os, with its library behind them, for address 10000h.
 struct Code {
   std::string_view name;  ///< as judge writes it
   unsigned machine;       ///< e_machine
@@ -155,7 +166,87 @@ inline constexpr std::array all{
          "1255a7c40022b3c1000ca7190000eb550001000da75bfffeeb550001000ca75b0001ebc10001000d48013000"
          "4c012000500c4000a71b0002a757fff5a729ffffb3cd00c007fea729ffff07fe07070707",
          "b90c0023c22a00008000eb220010000a07fe070707070707",
-         "e31020040014e31020000018b904002107fe070707070707"}};
+         "e31020040014e31020000018b904002107fe070707070707"},
+    Code{"AVR", 83, false, false, false,
+         "0f930e94118030584f4f5f4f6f4f7f4f8f4f9f4f00e10e944b80b901ca010f91089597fb57ff0c9421809f93"
+         "8f930e9421806e1b7f0baf91bf918a0b9b0b0895e894df93cf93fc01db010e9469807f936f93e9019a01ac01"
+         "bf93af933f932f93df010e94698026f46c1b7d0b820b930b9e01eb01fc010e947880af91bf912f913f910e94"
+         "7880be01cf01f9012f913f91cf91df91089597fb10f8169400080f93083098f00850232f342f452f562f672f"
+         "782f892f902df4cf0594979587957795679557954795379527950a95aaf70f910895a29fb001b39fc001a39f"
+         "700d811d1124911db29f700d811d1124911d08950e946980460f571fc81fd91f08f431960895",
+         "8f929f92af92bf92cf92df92ef92ff920f93cf93df93cdb7deb728970fb6f894debf0fbecdbf0e9444804901"
+         "5a0100e20e947e8029833a834b835c8329813a814b815c81d9019927882730e8930ea11cb11c4501aa24bb24"
+         "bc01cd01682979298a299b2928960fb6f894debf0fbecdbfdf91cf910f91ff90ef90df90cf90bf90af909f90"
+         "8f90089597fb57ff0c9454809f938f930e9454806e1b7f0baf91bf918a0b9b0b0895e894df93cf93fc01db01"
+         "0e949c807f936f93e9019a01ac01bf93af933f932f93df010e949c8026f46c1b7d0b820b930b9e01eb01fc01"
+         "0e94ab80af91bf912f913f910e94ab80be01cf01f9012f913f91cf91df91089597fb10f8169400080f930830"
+         "98f00850232f342f452f562f672f782f892f902df4cf0594979587957795679557954795379527950a95aaf7"
+         "0f910895a29fb001b39fc001a39f700d811d1124911db29f700d811d1124911d08950e949c80460f571fc81f"
+         "d91f08f431960895",
+         "bf92cf92df92ef92ff920f931f93cf93df930e944d80f22fe32fb42e152fd62fc72fb82fa92f30584f4f5f4f"
+         "6f4f7f4f8f4f9f4f00e10e948780c22ed32ee42ef52e2f2f3e2f4b2d512f6d2f7c2f8b2f9a2fa0e00e94a580"
+         "a4f440e050e060e070e080e090e02115304841055105610571058105910529f481e0c81ad108e108f108c701"
+         "b601df91cf911f910f91ff90ef90df90cf90bf90089597fb57ff0c945d809f938f930e945d806e1b7f0baf91"
+         "bf918a0b9b0b0895e894df93cf93fc01db010e94b1807f936f93e9019a01ac01bf93af933f932f93df010e94"
+         "b18026f46c1b7d0b820b930b9e01eb01fc010e94c080af91bf912f913f910e94c080be01cf01f9012f913f91"
+         "cf91df91089597fb10f8169400080f93083098f00850232f342f452f562f672f782f892f902df4cf05949795"
+         "87957795679557954795379527950a95aaf70f9108950024a7fd00942a173005400550056005700580059005"
+         "0895a29fb001b39fc001a39f700d811d1124911db29f700d811d1124911d08950e94b180460f571fc81fd91f"
+         "08f431960895",
+         "af92bf92cf92df92ef92ff920f931f930e9413801f910f91ff90ef90df90cf90bf90af9008952a0d3b1d4c1d"
+         "5d1d6e1d7f1d801f911f0895",
+         "ef92ff920f931f93cf93df9379018c01fb01ea0140e050e04e155f057cf4d8012d913d918d01a191b1910e94"
+         "278069937993899399934f5f5f4feecf8fef9fefdf91cf911f910f91ff90ef9008950e942f80332312f48a1b"
+         "9b0b0c944080a29fb001b39fc001a39f700d811d1124911db29f700d811d1124911d08950e942f80b7ff0895"
+         "821b930b0895",
+         "0f930e94118030584f4f5f4f6f4f7f4f8f4f9f4f00e10e944b80b901ca010f91089597fb57ff0c9421809f93"
+         "8f930e9421806e1b7f0baf91bf918a0b9b0b0895e894df93cf93fc01db010e9469807f936f93e9019a01ac01"
+         "bf93af933f932f93df010e94698026f46c1b7d0b820b930b9e01eb01fc010e947880af91bf912f913f910e94"
+         "7880be01cf01f9012f913f91cf91df91089597fb10f8169400080f93083098f00850232f342f452f562f672f"
+         "782f892f902df4cf0594979587957795679557954795379527950a95aaf70f910895a29fb001b39fc001a39f"
+         "700d811d1124911db29f700d811d1124911d08950e946980460f571fc81fd91f08f431960895",
+         "4f925f926f927f928f929f92af92bf92cf92df92ef92ff920f931f93cf93df9300d000d0cdb7deb7dc01cd90"
+         "dd90ed90fc90139746015701bb0c8808982c540114964d905d906d907c901797d301c201bb0f880b982fdc01"
+         "89839a83ab83bc839601a701682d782d882d982d52016301e980fe2c0e2d1e2d0e9453800f900f900f900f90"
+         "df91cf911f910f91ff90ef90df90cf90bf90af909f908f907f906f905f904f9008952a0d3b1d4c1d5d1d6e1d"
+         "7f1d801f911f0895"}
+};
 // clang-format on
+
+inline constexpr std::uint32_t origin = 0x10000;
+inline constexpr unsigned avr = 83;
+
+/// A program that has one function, f.
+inline std::string linked(const Code& code, std::string_view hex) {
+  const elf_of::File file{.machine = code.machine,
+                          .flags = code.machine == avr ? 5U : 0U,
+                          .is_64 = code.is_64,
+                          .is_big_endian = code.is_big_endian,
+                          .parts = {{origin, elf_of::bytes_of_hex(hex)}},
+                          .functions = {{"f", origin + (code.is_thumb ? 1 : 0)}}};
+  return elf_of::Writer(file).write();
+}
+
+/// Returns the processor of a name; the name of Thumb is an own one.
+inline const Code& processor(std::string_view name) {
+  const bool is_thumb = name == "Thumb";
+  return *std::ranges::find_if(all, [&](const Code& c) {
+    return c.name == (is_thumb ? "ARM" : name) && c.is_thumb == is_thumb;
+  });
+}
+
+/// Tells whether the emulator of a processor is there, and prints why not.
+inline bool is_present(const Code& code) {
+  using namespace fixproof::judge;
+  const std::string absence = absence_on_emulator(architecture_of_elf(linked(code, code.mul)));
+  if (!absence.empty()) std::cout << "skipped: " << absence << '\n';
+  return absence.empty();
+}
+
+inline std::vector<Code> present() {
+  std::vector<Code> codes;
+  std::ranges::copy_if(all, std::back_inserter(codes), is_present);
+  return codes;
+}
 
 }  // namespace other_processors
