@@ -1,6 +1,8 @@
 // Frames that name types of C; results of another format, promises and odd widths for machine code.
 #include "judge/code/c_types.hpp"
 
+#include <fmt/format.h>
+
 #include "judge/code/call_operands.hpp"
 #include "support/usage_error.hpp"
 #include "tests/judge/code/judged.hpp"
