@@ -85,8 +85,9 @@ constexpr std::uint32_t next_digit(std::uint32_t& rest, std::uint32_t d) noexcep
   return digit;
 }
 
-/// quotient_by_integers() in words of 32 bits, for processors that divide no longer ones. It divides
-/// the magnitudes: first the whole part, then Shift bits after the point, from the upper ones on.
+/// quotient_by_integers() in words of 32 bits, for processors that divide no longer ones. It
+/// divides the magnitudes: first the whole part, then Shift bits after the point, from the upper
+/// ones on.
 /// @pre divisor is not zero, Shift <= 30
 template <rounding Rounding, int Shift>
 constexpr std::int64_t quotient_by_words(std::int32_t numerator, std::int32_t divisor) noexcept {
@@ -108,7 +109,8 @@ constexpr std::int64_t quotient_by_words(std::int32_t numerator, std::int32_t di
   return static_cast<std::int64_t>(negated_if(negative, quotient));
 }
 
-/// numerator * 2^Shift / divisor rounded by rule Rounding, in the integers that the processor divides.
+/// numerator * 2^Shift / divisor rounded by rule Rounding, in the integers that the processor
+/// divides.
 template <rounding Rounding, int Shift>
 FIXED_ALWAYS_INLINE constexpr std::int64_t integer_quotient(std::int32_t numerator,
                                                             std::int32_t divisor) noexcept {

@@ -23,10 +23,10 @@ constexpr Wide nearest_sqrt_below(const Wide& n) noexcept {
 
 /// The integer nearest to sqrt(n 2^Shift), ties by rule Rounding, for 0 <= n < 2^Bits.
 ///
-/// A left shift leaves an integer, whose root is no tie (see nearest_sqrt_in_words()). A right shift
-/// is two places shorter, so that the root is in halves of the unit. It is rounded down. If it is odd, the
-/// exact root is a half or more above the unit below. It is the half itself only if the square of
-/// the rounded root has all bits of n.
+/// A left shift leaves an integer, whose root is no tie (see nearest_sqrt_in_words()). A right
+/// shift is two places shorter, so that the root is in halves of the unit. It is rounded down. If
+/// it is odd, the exact root is a half or more above the unit below. It is the half itself only if
+/// the square of the rounded root has all bits of n.
 /// @pre Rounding rounds to nearest; Wide has max(Shift, 1) + 3 bits more than n, and a sign
 template <rounding Rounding, int Shift, int Bits, class Wide>
 constexpr Wide nearest_scaled_sqrt(const Wide& n) noexcept {

@@ -32,9 +32,8 @@ void expect_quotients() {
     const std::int32_t d = word(random);
     if (d == 0) continue;
     const std::int64_t scaled = std::int64_t{n} * (std::int64_t{1} << Shift);
-    const std::int64_t expected =
-        d < 0 ? exact::round<std::int64_t>(-scaled, -std::int64_t{d}, R)
-              : exact::round<std::int64_t>(scaled, d, R);
+    const std::int64_t expected = d < 0 ? exact::round<std::int64_t>(-scaled, -std::int64_t{d}, R)
+                                        : exact::round<std::int64_t>(scaled, d, R);
     ASSERT_EQ((detail::quotient_by_words<R, Shift>(n, d)), expected)
         << n << " * 2^" << Shift << " / " << d << ", rule " << static_cast<int>(R);
   }
@@ -69,7 +68,7 @@ TEST(Words, HaveTheNearestRoot) {
   std::mt19937 random(2);
   for (int i = 0; i < 100'000; ++i) {
     const auto x = static_cast<std::uint32_t>(word(random));
-    const auto half = static_cast<std::uint32_t>(x >> 16);
+    const std::uint32_t half = x >> 16;
     for (const std::uint32_t near : {x, half * half, half * half + half, half * half + half + 1}) {
       expect_root<0>(near);
       expect_root<4>(near);
