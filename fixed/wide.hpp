@@ -168,7 +168,7 @@ class accumulator {
     if constexpr (is_checked) {
       constexpr int below = detail::bits_of<wide> - 32;
       const auto upper = static_cast<std::uint32_t>(sum_ >> below);
-      if ((upper + (std::uint32_t{1} << 30)) >> 31 != 0) __builtin_trap();
+      if ((upper ^ upper << 1) >> 31 != 0) __builtin_trap();
     }
     return *this;
   }

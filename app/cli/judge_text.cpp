@@ -37,7 +37,16 @@ std::string smallest_text(const check::JudgedCase& one, const check::Rules& rule
   return line.substr(line.find("): ") + 3);
 }
 
-std::string unsteady_text(const judge::Verdict& verdict) {
+/// What a caller of 64-bit code may not set, because it takes the operands for 32-bit integers.
+std::string hint_of_types(const judge::Subject& subject) {
+  const judge::Architecture* const architecture = subject.image.architecture;
+  const bool is_64 = architecture != nullptr ? architecture->is_64 : subject.image.bits == 64;
+  const bool is_named = subject.frame.text.find("->") != std::string::npos;
+  if (!is_64 || is_named) return {};
+  return "; if it takes types of 64 bits, name them, as in --frame 'long, long -> long'";
+}
+
+std::string unsteady_text(const judge::Subject& subject, const judge::Verdict& verdict) {
   const std::string& operands = verdict.unsteady->operands;
   if (const auto& state = verdict.state) {
     return fmt::format(
@@ -54,8 +63,10 @@ std::string unsteady_text(const judge::Verdict& verdict) {
   }
   return fmt::format(
       "UNSTEADY: for {} the result differs from call to call: the routine reads a register, a flag "
-      "or memory that its caller does not set, or a flag that Intel leaves undefined\n",
-      operands);
+      "or memory that its caller does not set{}{}\n",
+      operands,
+      subject.image.architecture == nullptr ? ", or a flag that Intel leaves undefined" : "",
+      hint_of_types(subject));
 }
 
 /// Returns what a call breaks, such as "does not keep si and leaves the direction flag set".
@@ -168,7 +179,7 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
                         broken_text(verdict.not_preserved->broken, image),
                         verdict.not_preserved->operands);
   }
-  if (verdict.unsteady) text += unsteady_text(verdict);
+  if (verdict.unsteady) text += unsteady_text(subject, verdict);
   if (verdict.first_divide_error) {
     text +=
         fmt::format("{} case{} raise{} a divide error (#DE), first {}\n",

@@ -82,7 +82,7 @@ FIXED_ALWAYS_INLINE constexpr quotient_t<Raw, FractionBits, Rules> quotient_of(
   if constexpr (has_fast_quotient<Raw, FractionBits, Rules> && divides_in_double) {
     return rounded_quotient<Rules.divide, shift>(n, divisor);
   } else if constexpr (has_integer_quotient<Raw, FractionBits, Rules>) {
-    return quotient_by_integers<Rules.divide, shift>(n, divisor);
+    return integer_quotient<Rules.divide, shift>(n, divisor);
   } else {
     using wide = quotient_t<Raw, FractionBits, Rules>;
     return rounded_ratio<Rules.divide>(wide{n} << shift, static_cast<wide>(divisor));

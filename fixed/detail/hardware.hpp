@@ -67,6 +67,10 @@ constexpr bool divides_in_double = hardware_double;
 constexpr bool divides_in_double = hardware_double && sizeof(void*) < sizeof(double);
 #endif
 
+/// Whether operator/ takes a quotient from divisions of 32 bits: processors without double and
+/// registers of 64 bits call a function of a kilobyte for each longer division.
+constexpr bool divides_in_words = !hardware_double && sizeof(void*) < sizeof(double);
+
 // The compiler's, because <cmath> takes a seventh of the time to compile fixed.hpp. Not called if
 // hardware_double is false.
 inline double copysign(double magnitude, double sign) noexcept {

@@ -2,6 +2,7 @@
 /// The rounded quotient of two stored integers, exact, from integers or hardware doubles.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -54,6 +55,69 @@ FIXED_ALWAYS_INLINE constexpr std::int64_t quotient_by_integers(std::int32_t num
     } else {
       return truncated;
     }
+  }
+}
+
+/// floor(rest 2^Bits / d), for Bits <= 16. Leaves the remainder in rest.
+///
+/// Let D be the upper half of d, and A the upper 16 + Bits bits of rest. floor(A / D) is at most 2
+/// above the digit, because the top bit of d is set, and never below it (theorems A and B of
+/// section 4.3.1 of Knuth, The Art of Computer Programming). It is at most 2^16 + 1, so its product
+/// with the lower half of d has 32 bits.
+/// @pre rest < d, and d has its top bit set
+template <int Bits>
+constexpr std::uint32_t next_digit(std::uint32_t& rest, std::uint32_t d) noexcept {
+  static_assert(0 < Bits && Bits <= 16);
+  constexpr std::uint32_t lower_half = 0xffff;
+  const std::uint32_t leading = rest >> (16 - Bits);
+  const std::uint32_t upper = d >> 16;
+  std::uint32_t digit = leading / upper;
+  const std::uint32_t above = leading % upper << 16 | (rest << Bits & lower_half);
+  const std::uint32_t taken = digit * (d & lower_half);
+  rest = above - taken;
+  if (above < taken) {
+    // Below zero, modulo 2^32, until a sum wraps, which leaves less than d.
+    do {
+      --digit;
+      rest += d;
+    } while (rest >= d);
+  }
+  return digit;
+}
+
+/// quotient_by_integers() in words of 32 bits, for processors that divide no longer ones. It
+/// divides the magnitudes: first the whole part, then Shift bits after the point, from the upper
+/// ones on.
+/// @pre divisor is not zero, Shift <= 30
+template <rounding Rounding, int Shift>
+constexpr std::int64_t quotient_by_words(std::int32_t numerator, std::int32_t divisor) noexcept {
+  const bool negative = (numerator ^ divisor) < 0;
+  const std::uint32_t n = negated_if(numerator < 0, static_cast<std::uint32_t>(numerator));
+  std::uint32_t d = negated_if(divisor < 0, static_cast<std::uint32_t>(divisor));
+  std::uint64_t quotient = n / d;
+  // The remainder and the divisor times the same power of two.
+  const int zeros = std::countl_zero(d);
+  std::uint32_t rest = n % d << zeros;
+  d <<= zeros;
+  constexpr int last = Shift < 16 ? Shift : 16;
+  if constexpr (Shift > last) {
+    constexpr int first = Shift - last;
+    quotient = quotient << first | next_digit<first>(rest, d);
+  }
+  if constexpr (last > 0) quotient = quotient << last | next_digit<last>(rest, d);
+  quotient += std::uint64_t{grows<Rounding>(rest, d, negative, is_odd(quotient))};
+  return static_cast<std::int64_t>(negated_if(negative, quotient));
+}
+
+/// numerator * 2^Shift / divisor rounded by rule Rounding, in the integers that the processor
+/// divides.
+template <rounding Rounding, int Shift>
+FIXED_ALWAYS_INLINE constexpr std::int64_t integer_quotient(std::int32_t numerator,
+                                                            std::int32_t divisor) noexcept {
+  if constexpr (divides_in_words) {
+    return quotient_by_words<Rounding, Shift>(numerator, divisor);
+  } else {
+    return quotient_by_integers<Rounding, Shift>(numerator, divisor);
   }
 }
 
@@ -122,7 +186,7 @@ constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t div
       return rounds_by_floor<Rounding> ? floor_of_sum(sum) : static_cast<std::int64_t>(sum);
     }
   }
-  return quotient_by_integers<Rounding, Shift>(numerator, divisor);
+  return integer_quotient<Rounding, Shift>(numerator, divisor);
 }
 
 /// rounded_quotient(), saturated to the range of Raw.

@@ -281,6 +281,10 @@ constexpr std::array architectures{
                                       UC_S390X_REG_R0}},
                  .program_counter = UC_S390X_REG_PC,
                  .settings = {Setting{UC_S390X_REG_PSWM, s390x_addresses}},
+                 // LCTLG 0,0,0(1), and the bit that allows floating point.
+                 .first_code = {.code = std::string_view("\xEB\0\x10\0\0\x2F", 6),
+                                .base = "r1",
+                                .value = 0x4'0000},
                  .scratch = {Scratch{UC_S390X_REG_PSWM, 1, std::uint64_t{3} << 44U}},
                  .divide_errors = {3, -1},
                  .system_calls = {2, -1},

@@ -37,6 +37,13 @@ struct Setting {
   std::uint64_t bits = 0;
 };
 
+/// Code that runs once before all calls, for a control register that Unicorn has no number for.
+struct FirstCode {
+  std::string_view code{};  ///< its bytes
+  std::string_view base{};  ///< a register that points to the value
+  std::uint64_t value = 0;
+};
+
 /// Registers that are no operands, such as those of flags and of floating point, which a caller
 /// leaves as they happen to be.
 struct Scratch {
@@ -88,6 +95,7 @@ struct Architecture {
   std::array<RegisterRun, 4> runs;
   int program_counter = 0;
   std::array<Setting, 2> settings{};
+  FirstCode first_code{};
   std::array<Scratch, 4> scratch{};
   /// Exceptions by their numbers in Unicorn; -1 if there are none.
   std::array<int, 2> divide_errors{-1, -1};

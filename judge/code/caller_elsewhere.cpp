@@ -14,7 +14,7 @@ class CallerElsewhere final : public Caller {
         a_(*subject.image.architecture),
         convention_(subject.frame.elsewhere.value()),
         variant_(subject.variant),
-        operands_(subject.image, subject.variant),
+        operands_(subject.image, subject.frame.signature, subject.variant),
         machine_(std::move(machine)),
         file_(a_),
         stack_pointer_(file_.find(a_.stack_pointer).value()) {}
@@ -106,10 +106,7 @@ class CallerElsewhere final : public Caller {
       if (shift < 64) value |= left.general.at(part.at) << shift;
       shift += a_.word_bits;
     }
-    const int bits = variant_.format.word_bits;
-    value = lowest(value, bits);
-    words[0] = static_cast<std::uint32_t>(value);
-    if (bits > 32) words[1] = static_cast<std::uint32_t>(value >> 32U);
+    operands_.give(value, words);
   }
 
   [[nodiscard]] RegisterMask broken(const Registers& left) const {

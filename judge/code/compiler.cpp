@@ -35,10 +35,13 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 /// files that include each other may come before it.
 std::string first_error(const std::string& text) {
   std::istringstream lines(text);
+  std::string other;
   for (std::string line; std::getline(lines, line);) {
     if (line.find("error:") != std::string::npos) return support::printable(line);
+    // The linker's errors have no such mark.
+    if (other.empty() && line.find("warning:") == std::string::npos) other = line;
   }
-  return support::printable(first_line(text));
+  return support::printable(other.empty() ? first_line(text) : other);
 }
 
 std::string variable(const char* name, const char* otherwise) {
@@ -100,7 +103,7 @@ std::optional<std::string> linked(const Toolchain& tools, std::vector<std::strin
   command.insert(command.end(), more.begin(), more.end());
   const proof::Output output = run_tool(command, "", "", files);
   if (output.status == 0) return out.contents(most_bytes);
-  said = support::printable(first_line(output.err));
+  said = first_error(output.err);
   return std::nullopt;
 }
 
@@ -298,7 +301,14 @@ std::string compiled_source(const std::string& path) {
   }
   const std::string name = path.starts_with('-') ? "./" + path : path;
   command.insert(command.end(), {"-c", "-o", object, name});
-  run_compiler(command, "", most_time);
+  try {
+    run_compiler(command, "", most_time);
+  } catch (const UsageError& error) {
+    const std::string said = error.what();
+    if (said.find("stdint.h:") == std::string::npos) throw;
+    throw UsageError(fmt::format(
+        "{}; add -ffreestanding to the flags, or install the toolchain's C library", said));
+  }
   return support::read_bounded(object, most_bytes);
 }
 
@@ -316,7 +326,9 @@ std::string linked_object(Image& image, const std::string& object) {
                            libraries_of(tools.compiler, preferred_libraries(object, image)), image)
                   .value_or(object);
     }
-    const auto missing = places_of_missing(image, names_in(whole, image, Names::missing));
+    auto names = names_in(whole, image, Names::missing);
+    names.erase("_GLOBAL_OFFSET_TABLE_");  // the linker makes it
+    const auto missing = places_of_missing(image, names);
     const ToolFile script(script_of(missing, architecture.data));
     if (const auto file = linked(tools, {"-e", "0", "--no-warn-mismatch"}, whole, &script, said)) {
       return *file;

@@ -254,9 +254,12 @@ class Linked {
         choosers_.try_emplace(place, file_.name_of(*table, symbol));
         continue;
       }
-      if (symbol.binding == STB_LOCAL || symbol.type == STT_TLS || !is_code(place)) continue;
+      const bool is_local = symbol.binding == STB_LOCAL;
+      if (symbol.type == STT_TLS || symbol.type == STT_OBJECT || !is_code(place)) continue;
+      if (is_local && symbol.type != STT_FUNC) continue;
       std::string name = file_.name_of(*table, symbol);
-      if (is_routine(name)) image_.symbols.push_back({std::move(name), place});
+      if (!is_routine(name)) continue;
+      (is_local ? image_.hidden : image_.symbols).push_back({std::move(name), place});
     }
   }
 

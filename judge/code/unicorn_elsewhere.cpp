@@ -87,6 +87,7 @@ class UnicornElsewhere final : public UnicornMachine {
     for (const Setting& setting : a_.settings) {
       if (setting.number >= 0) write(setting.number, read(setting.number) | setting.bits);
     }
+    if (!a_.first_code.code.empty()) run_first(a_.first_code);
     owner().keep_state();
     noise_.keep(engine());
     add_hooks();
@@ -129,6 +130,18 @@ class UnicornElsewhere final : public UnicornMachine {
   }
 
  private:
+  /// Runs code below the stack, where no call leaves anything that another expects.
+  void run_first(const FirstCode& first) {
+    const std::uint32_t value = image().stack_top - 16;
+    const std::uint32_t code = value - 16;
+    const auto at = [&](std::uint32_t address) { return memory() + image().index_of(address); };
+    store(at(value), first.value, 8, a_.is_big_endian);
+    std::ranges::copy(first.code, at(code));
+    const RegisterFile file(a_);
+    write(file.numbers[file.find(first.base).value()], value);
+    check(uc_emu_start(engine(), code, code + first.code.size(), 0, 0), "first code");
+  }
+
   void map(const Region& region) const {
     const std::uint64_t first = region.address / page_bytes * page_bytes;
     const std::uint64_t end = region.address + region.bytes.size();

@@ -118,6 +118,20 @@ TEST(OtherProcessors, ArgumentsAreWhereTheAbiHasThem) {
             "[7]+[8]");
 }
 
+TEST(OtherProcessors, AnS390xHasAddressesOf64BitsAndFloatingPoint) {
+  const ScratchFolder folder;
+  // long away(long a, long b) { long p = a * b; return (p + 0x8000 + (p >> 63)) >> 16; } adds by
+  // LAY.
+  const std::string away = "b90c0023eb12003f000ae32210000871eb220010000a07fe";
+  expect(judge(folder.write("f.elf", linked(processor("s390x"), away)),
+               "--as|mul|--cases|1000|--frame|long, long -> long"),
+         0, {"half-away, the rounding that fits best", "AGREES on 1,000 cases\n"});
+  // int sum(int a, int b) { return (int)((double)a + b); }
+  const std::string sum = "b3950023b3950002b31a0002b3995020b914002207fe";
+  expect(judge(folder.write("f.elf", linked(processor("s390x"), sum)), "--as|add|--cases|1000"), 0,
+         {"AGREES on 1,000 cases\n"});
+}
+
 TEST(OtherProcessors, AFrameOfRegisters) {
   const ScratchFolder folder;
   const Code& arm = processor("ARM");
