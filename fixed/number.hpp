@@ -57,10 +57,8 @@ class number {
   static_assert(Rules.multiply != rounding::nearest && Rules.divide != rounding::nearest,
                 "policy::multiply and policy::divide say where ties go, as half_up does; "
                 "rounding::nearest is for policy::functions");
-  static_assert(
-      Rules.functions == rounding::nearest || !detail::is_to_nearest<Rules.functions>,
-      "policy::functions is nearest, floor, ceiling or truncate; ties of functions follow "
-      "policy::multiply");
+  static_assert(!detail::is_to_nearest<Rules.functions> || Rules.functions == rounding::nearest,
+                "policy::functions is nearest, floor, ceiling or truncate");
   static_assert(Rules.fault != divide_fault::signed_quotient ||
                     Rules.quotients == overflow::as_range,
                 "policy::fault = signed_quotient makes every quotient out of range an error, so "
