@@ -33,6 +33,9 @@ bool remove_first(std::string_view& text, std::string_view word) {
   return true;
 }
 
+/// Returns the bits of an int, which has 16 on a processor whose registers have fewer.
+int bits_of_int(int code_bits) { return std::clamp(code_bits, 16, 32); }
+
 /// Returns the type of a number, as `unsigned long`.
 std::optional<Parameter> number_type(std::string_view text, int code_bits) {
   remove_first(text, "const");
@@ -40,7 +43,7 @@ std::optional<Parameter> number_type(std::string_view text, int code_bits) {
   const bool is_unsigned = remove_first(text, "unsigned");
   const bool has_sign = is_unsigned || remove_first(text, "signed");
   type.is_signed = !is_unsigned && !text.starts_with("uint");
-  const int int_bits = std::min(code_bits, 32);
+  const int int_bits = bits_of_int(code_bits);
   const std::array<std::pair<std::string_view, int>, 5> names{{{"char", 8},
                                                                {"short", 16},
                                                                {"int", int_bits},
@@ -66,7 +69,7 @@ std::optional<Parameter> type_of(const PlaceText& place, int code_bits) {
   if (place.is_pointer || place.parts.size() != 1) return std::nullopt;
   std::string_view text = place.parts.front();
   if (const auto constant = whole_number<std::int32_t>(text)) {
-    return Parameter{.bits = std::min(code_bits, 32), .constant = *constant};
+    return Parameter{.bits = bits_of_int(code_bits), .constant = *constant};
   }
   std::size_t numbers = 0;  // none: no pointer
   const std::size_t bracket = text.find('[');

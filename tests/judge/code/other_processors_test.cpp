@@ -194,6 +194,9 @@ TEST(OtherProcessors, AFrameOfTheRegistersOfAnAvr) {
   const std::string first = "r25:r24:r23:r22";
   expect(frame("r21:r20:r19:r18, " + first + " -> " + first), 0, {"AGREES on 500 cases"});
   expect(frame("r21:r20:r18:r19, " + first + " -> " + first), 1, {"WRONG in"});
+  // An int has 16 bits.
+  expect(frame("long, long -> long"), 0, {"AGREES on 500 cases"});
+  command::expect_usage_error(frame("int, int -> int"), "'int' has 16 bits, and a number of");
   command::expect_usage_error(frame("r24, r25 -> r24"),
                               "a place has 8 bits, and a number has 32; write several registers "
                               "like r1:r0, the highest first");
