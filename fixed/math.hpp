@@ -138,7 +138,7 @@ template <class Raw, int Point, policy Rules>
       detail::has_every_root<Raw, Point> && Rules.functions != rounding::ceiling;
   constexpr overflow range = is_in_range ? overflow::wrap : detail::function_range<Rules.range>;
   return number<Raw, Point, Rules>::from_raw(
-      detail::narrow<range, Raw>(detail::root_of<Rules.functions, Point>(positive),
+      detail::narrow<range, Raw>(detail::stored_root<Rules.functions, Point>(positive),
                                  [&] { detail::raise_overflow<Point>("sqrt", x.raw()); }));
 }
 

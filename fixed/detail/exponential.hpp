@@ -42,7 +42,7 @@ template <std::size_t Terms>
 constexpr std::uint64_t power_of_two(std::uint64_t x) noexcept {
   const std::uint64_t rest = x << 5;
   const std::uint64_t sum = sum_of_series<Terms>(power_coefficients, rest);
-  const std::uint64_t power = powers_of_two[static_cast<std::size_t>(x >> 59)];
+  const std::uint64_t power = powers_of_two[static_cast<std::uint32_t>(x >> 59)];
   return power + multiply_high(power, multiply_high(rest, sum));
 }
 

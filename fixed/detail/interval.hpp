@@ -207,7 +207,7 @@ class interval {
     const int128 low = halves_above(dropped, true);
     const int128 high = halves_above(dropped, false);
     const int128 ulps = (high + int128{1}) >> 1;
-    return {(low + int128{1}) >> 1 == ulps, signed_ulps(ulps)};
+    return {((low + int128{1}) >> 1) == ulps, signed_ulps(ulps)};
   }
 
   /// The integer of units of 2^-fraction_bits below or above, by a rule that is not to nearest, if

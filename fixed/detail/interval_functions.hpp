@@ -127,7 +127,7 @@ constexpr interval arctangent(const interval& x) noexcept {
   const std::size_t n = x.size();
   if (x.exponent() > 1) return x;  // nothing is known about it
   // x - i / 8 is at most 1/16, and a little more if the first bit is not known.
-  const std::uint64_t eighths = x.scaled(3).nearest_integer();
+  const auto eighths = static_cast<std::uint32_t>(x.scaled(3).nearest_integer());
   if (eighths == 0) return odd_series(x, true);
   const interval center(n, false, eighths, 3);
   const interval part = (x - center) / (whole_like(x, 1) + x * center);

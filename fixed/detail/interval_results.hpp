@@ -414,7 +414,7 @@ constexpr int128 odd_half_ulps(const real_operand& x, const real_operand& y,
   if (y.is_negative) return int128{0};
   int128 power{1};
   for (int i = 0; i < p; ++i) {
-    if (power >> 66 != int128{0} || root >> 33 != 0) return p == 1 ? int128{root} : int128{0};
+    if ((power >> 66) != int128{0} || root >> 33 != 0) return p == 1 ? int128{root} : int128{0};
     power = power * int128{root};
   }
   return power;

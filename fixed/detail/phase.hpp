@@ -7,7 +7,6 @@
 /// of rational results are 0, 1 and, for a sine or cosine, 1/2.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "fixed/detail/assert.hpp"
@@ -169,7 +168,7 @@ constexpr tangent_ratio tangent_of_phase(std::uint64_t phase) noexcept {
   const std::uint64_t sum =
       sum_of_series<tangent_coefficients.size()>(tangent_coefficients, square);
   const std::uint64_t rest = z + multiply_high(z, multiply_high(square, sum));  // 32 tan(z)
-  const std::uint64_t middle = tangents[static_cast<std::size_t>(part >> 58)];
+  const std::uint64_t middle = tangents[static_cast<std::uint32_t>(part >> 58)];
   return {middle + (rest >> 7), (std::uint64_t{1} << 62) - (multiply_high(middle << 1, rest) >> 6),
           is_upper != is_odd_quarter, is_odd_quarter};
 }

@@ -76,14 +76,14 @@ constexpr std::int64_t nearest_reciprocal_root(std::uint64_t raw, int fraction_b
 /// less than 268435456 units of 2^-61 of it, which is 1/4 ulp.
 constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noexcept {
   const scaled_word x = scaled(raw, fraction_bits);
-  // From 0 to 31 + 64, so at least 61 - 31 bits of the root are dropped below.
-  // NOLINTNEXTLINE(bugprone-misplaced-widening-cast): x.exponent >= -fraction_bits
-  const auto exponent = static_cast<std::uint64_t>(x.exponent + 3 * fraction_bits);
+  // From 0 to 31 + 64, as x.exponent >= -fraction_bits, so at least 61 - 31 bits of the root are
+  // dropped below.
+  const auto exponent = static_cast<std::uint32_t>(x.exponent + 3 * fraction_bits);
   const std::size_t interval = x.m >> 26 & 63;
   const std::uint64_t rest = x.m * reciprocals[interval] << 5;
   const std::uint64_t sum =
       sum_of_alternating_series<cube_root_coefficients.size()>(cube_root_coefficients, rest);
-  const auto third = static_cast<std::size_t>(exponent % 3);
+  const std::uint32_t third = exponent % 3;
   const std::uint64_t middle = multiply_high(cube_roots[interval], roots_of_powers[third]);
   const std::uint64_t root = middle + multiply_high(middle, multiply_high(rest, sum));
   return static_cast<std::int64_t>(root >> (61 - exponent / 3));

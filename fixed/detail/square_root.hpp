@@ -156,7 +156,7 @@ constexpr auto nearest_root(Raw raw) noexcept {
 
 /// The stored integer of the root of a stored integer, by rule Rounding. @pre raw >= 0
 template <rounding Rounding, int FractionBits, class Raw>
-constexpr auto root_of(Raw raw) noexcept {
+constexpr auto stored_root(Raw raw) noexcept {
   const auto nearest = nearest_root<FractionBits>(raw);
   if constexpr (is_to_nearest<Rounding>) {
     return nearest;

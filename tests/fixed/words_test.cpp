@@ -68,7 +68,7 @@ TEST(Words, HaveTheNearestRoot) {
   std::mt19937 random(2);
   for (int i = 0; i < 100'000; ++i) {
     const auto x = static_cast<std::uint32_t>(word(random));
-    const auto half = static_cast<std::uint32_t>(x >> 16);
+    const std::uint32_t half = x >> 16;
     for (const std::uint32_t near : {x, half * half, half * half + half, half * half + half + 1}) {
       expect_root<0>(near);
       expect_root<4>(near);
