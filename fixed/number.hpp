@@ -134,8 +134,7 @@ class number {
     }
   }
 
-  /// The same for long double, for the types of 16 bits _Float16 and __fp16 where the compiler has
-  /// them, and for the types of C++23. A long double that is a pair of doubles is none of these.
+  /// The same for long double, unless it is a pair of doubles, for _Float16 and for __fp16.
   ///
   ///     static_assert(q32_32(0.1L).raw() == 429496730);  // 429496729.6
   template <detail::other_float Float>
@@ -192,17 +191,17 @@ class number {
       "policy::moving: write x.raw() for the stored integer, to_integer<rounding::floor>(x) "
       "or static_cast<double>(q16_16(x)) for the value");
   template <class = void>
-  requires(Rules.moving) number& operator++() FIXED_INSTEAD(
-      "policy::moving: ++ adds 1, not a unit: write x += N::from_raw(1), or x += N(1_q16_16)");
+  requires(Rules.moving) number& operator++()
+      FIXED_INSTEAD("policy::moving: ++ adds 1: write x += N::from_raw(1), or x += N(1_q16_16)");
   template <class = void>
-  requires(Rules.moving) number operator++(int) FIXED_INSTEAD(
-      "policy::moving: ++ adds 1, not a unit: write x += N::from_raw(1), or x += N(1_q16_16)");
+  requires(Rules.moving) number operator++(int)
+      FIXED_INSTEAD("policy::moving: ++ adds 1: write x += N::from_raw(1), or x += N(1_q16_16)");
   template <class = void>
-  requires(Rules.moving) number& operator--() FIXED_INSTEAD(
-      "policy::moving: -- takes 1, not a unit: write x -= N::from_raw(1), or x -= N(1_q16_16)");
+  requires(Rules.moving) number& operator--()
+      FIXED_INSTEAD("policy::moving: -- takes 1: write x -= N::from_raw(1), or x -= N(1_q16_16)");
   template <class = void>
-  requires(Rules.moving) number operator--(int) FIXED_INSTEAD(
-      "policy::moving: -- takes 1, not a unit: write x -= N::from_raw(1), or x -= N(1_q16_16)");
+  requires(Rules.moving) number operator--(int)
+      FIXED_INSTEAD("policy::moving: -- takes 1: write x -= N::from_raw(1), or x -= N(1_q16_16)");
   operator double() const volatile FIXED_INSTEAD(
       "conversions are explicit: write static_cast<double>(x), or static_cast<int>(x), which "
       "truncates");
@@ -230,13 +229,12 @@ class number {
 
   /// The nearest long double: exact, unless it is no wider than double.
   explicit constexpr operator long double() const noexcept requires(!Rules.moving) {
-    if constexpr (std::numeric_limits<long double>::digits >= detail::bits_of<Raw>) {
-      constexpr int half = FractionBits / 2;
-      return static_cast<long double>(raw_) / static_cast<long double>(std::uint64_t{1} << half) /
-             static_cast<long double>(std::uint64_t{1} << (FractionBits - half));
-    } else {
+    if constexpr (std::numeric_limits<long double>::digits < detail::bits_of<Raw>) {
       return static_cast<double>(*this);
     }
+    constexpr int half = FractionBits / 2;
+    return static_cast<long double>(raw_) / static_cast<long double>(std::uint64_t{1} << half) /
+           static_cast<long double>(std::uint64_t{1} << (FractionBits - half));
   }
 
   /// The whole part, truncated toward zero, as from double. If Int is too small, the result is

@@ -31,8 +31,8 @@ std::vector<N> random_numbers(std::uint64_t seed) {
   using raw = typename N::raw_type;
   using limits = std::numeric_limits<raw>;
   std::vector<N> all;
-  for (const int small : {0, 1, 2, 3}) {
-    all.push_back(N::from_raw(static_cast<raw>(small)));
+  for (const raw small : {raw{0}, raw{1}, raw{2}, raw{3}}) {
+    all.push_back(N::from_raw(small));
     all.push_back(N::from_raw(static_cast<raw>(limits::max() - small)));
     all.push_back(N::from_raw(static_cast<raw>(limits::min() + small)));
     if constexpr (limits::is_signed) all.push_back(N::from_raw(static_cast<raw>(-small)));
