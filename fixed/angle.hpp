@@ -2,11 +2,11 @@
 /// Angles from vectors, tangents, sines and cosines, rounded to nearest, in every format;
 /// docs/functions.md says what was compared.
 ///
-/// Each result is the number nearest to the exact angle, under every policy. Only angles in turns
-/// have ties. If the policy rounds products to nearest, ties follow that rule; otherwise they go
-/// up. A signed format with fewer than three bits before the point, or an unsigned one with none,
-/// can have results out of range. They throw an overflow_error under overflow::trap, and saturate
-/// under every other policy.
+/// Each result is the number nearest to the exact angle, or a bound of it under policy::functions.
+/// Only angles in turns have ties. If the policy rounds products to nearest, ties follow that rule;
+/// otherwise they go up. A signed format with fewer than three bits before the point, or an
+/// unsigned one with none, can have results out of range. They throw an overflow_error under
+/// overflow::trap, and saturate under every other policy.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ inline constexpr bool angle_needs_intervals =
 template <angle_unit Unit, class To, class Number>
 constexpr To angle_of(Number y, Number x, const char* function) noexcept(To::never_throws) {
   if constexpr (angle_needs_intervals<Unit, To, Number>) {
-    return limited<To>(interval_vector_angle<Unit, ties_of<To>>(
+    return limited<To>(interval_vector_angle<Unit, rounding_of<To>>(
                            real_operand_of(y), real_operand_of(x), To::fraction_bits),
                        function, y, x);
   } else {
@@ -51,8 +51,8 @@ template <angle_unit Unit, class To, class Number>
 constexpr To angle_of_slope(Number x, const char* function) noexcept(To::never_throws) {
   if constexpr (angle_needs_intervals<Unit, To, Number>) {
     return limited<To>(
-        interval_slope_angle<Unit, ties_of<To>>(real_operand_of(x), To::fraction_bits), function,
-        x);
+        interval_slope_angle<Unit, rounding_of<To>>(real_operand_of(x), To::fraction_bits),
+        function, x);
   } else {
     constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
     return limited<To>(nearest_angle(x.raw(), one, To::fraction_bits), function, x);
@@ -67,8 +67,9 @@ constexpr To triangle_angle(Number x, const char* function) noexcept(To::never_t
     if (operand.whole() > 1 || (operand.whole() == 1 && !operand.is_one())) {
       return outside_domain<To>(0, function, x);
     }
-    return limited<To>(interval_triangle_angle<Unit, Side, ties_of<To>>(operand, To::fraction_bits),
-                       function, x);
+    return limited<To>(
+        interval_triangle_angle<Unit, Side, rounding_of<To>>(operand, To::fraction_bits), function,
+        x);
   } else {
     constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
     if (x.raw() > one || x.raw() < -one) return outside_domain<To>(0, function, x);

@@ -284,7 +284,7 @@ template <any_number Number>
 [[nodiscard]] constexpr std::optional<Number> checked_sqrt(Number x) noexcept {
   if (x.raw() < 0) return std::nullopt;
   using raw = typename Number::raw_type;
-  const auto root = detail::nearest_root<Number::fraction_bits>(x.raw());
+  const auto root = detail::stored_root<Number::rules.functions, Number::fraction_bits>(x.raw());
   if (!detail::fits<raw>(root)) return std::nullopt;
   return Number::from_raw(static_cast<raw>(root));
 }

@@ -2,10 +2,10 @@
 /// Exponentials, logarithms, hyperbolic functions and their inverses, rounded to nearest, in every
 /// format; docs/functions.md says what was compared.
 ///
-/// Each result is the number nearest to the exact value, under every policy. Only exp2 has ties. If
-/// the policy rounds products to nearest, ties follow that rule; otherwise they go up. A result out
-/// of range throws an overflow_error under overflow::trap. Under every other policy it saturates,
-/// because a logarithm or an exponential modulo 2^32 means nothing.
+/// Each result is the number nearest to the exact value, or a bound of it under policy::functions.
+/// Only exp2 has ties. If the policy rounds products to nearest, ties follow that rule; otherwise
+/// they go up. A result out of range throws an overflow_error under overflow::trap. Under every
+/// other policy it saturates, because a logarithm or an exponential modulo 2^32 means nothing.
 ///
 /// Inverse hyperbolic functions, exp10 and all functions in formats of more than 32 bits compute
 /// with intervals (fixed/detail/interval_results.hpp).
@@ -50,12 +50,12 @@ constexpr std::int64_t exponent_units(Number x) noexcept {
 template <exponential_base Base, class To, class Number>
 constexpr To exponential(Number x, int less, const char* function) noexcept(To::never_throws) {
   if constexpr (Base == exponential_base::ten || needs_intervals<To, Number>) {
-    return limited<To>(
-        interval_exponential<Base, ties_of<To>>(real_operand_of(x), less != 0, To::fraction_bits),
-        function, x);
+    return limited<To>(interval_exponential<Base, rounding_of<To>>(real_operand_of(x), less != 0,
+                                                                   To::fraction_bits),
+                       function, x);
   } else {
     return limited<To>(
-        nearest_exponential<Base, ties_of<To>>(exponent_units(x), To::fraction_bits) -
+        nearest_exponential<Base, rounding_of<To>>(exponent_units(x), To::fraction_bits) -
             (std::int64_t{less} << To::fraction_bits),
         function, x);
   }
@@ -72,8 +72,9 @@ constexpr To logarithm(Number x, int more, const char* function) noexcept(To::ne
                             : operand.is_negative  ? more == 0 || operand.whole() != 0
                                                    : false;
     if (is_outside) return outside_domain<To>((limits::min)(), function, x);
-    return limited<To>(interval_logarithm<Base>(operand, more != 0, To::fraction_bits), function,
-                       x);
+    return limited<To>(
+        interval_logarithm<Base, rounding_of<To>>(operand, more != 0, To::fraction_bits), function,
+        x);
   } else {
     const std::int64_t sum = x.raw() + (std::int64_t{more} << Number::fraction_bits);
     if (sum <= 0) return outside_domain<To>((limits::min)(), function, x);
@@ -86,8 +87,9 @@ constexpr To logarithm(Number x, int more, const char* function) noexcept(To::ne
 template <hyperbola Function, class To, class Number>
 constexpr To hyperbolic(Number x, const char* function) noexcept(To::never_throws) {
   if constexpr (needs_intervals<To, Number>) {
-    return limited<To>(interval_hyperbolic<Function>(real_operand_of(x), To::fraction_bits),
-                       function, x);
+    return limited<To>(
+        interval_hyperbolic<Function, rounding_of<To>>(real_operand_of(x), To::fraction_bits),
+        function, x);
   } else {
     const std::int64_t units = exponent_units(x);
     const std::int64_t ulps =
@@ -100,8 +102,9 @@ constexpr To hyperbolic(Number x, const char* function) noexcept(To::never_throw
 template <class To, class Number>
 constexpr To hyperbolic_tangent(Number x) noexcept(To::never_throws) {
   if constexpr (needs_intervals<To, Number>) {
-    return limited<To>(interval_hyperbolic_tangent(real_operand_of(x), To::fraction_bits), "tanh",
-                       x);
+    return limited<To>(
+        interval_hyperbolic_tangent<rounding_of<To>>(real_operand_of(x), To::fraction_bits), "tanh",
+        x);
   } else {
     const std::int64_t units = exponent_units(x);
     const std::int64_t ulps =
@@ -117,8 +120,9 @@ constexpr To inverse_hyperbolic(Number x, const char* function) noexcept(To::nev
   if (Function == hyperbola::cosine && (operand.is_negative || operand.whole() == 0)) {
     return outside_domain<To>(0, function, x);
   }
-  return limited<To>(interval_inverse_hyperbolic<Function>(operand, To::fraction_bits), function,
-                     x);
+  return limited<To>(
+      interval_inverse_hyperbolic<Function, rounding_of<To>>(operand, To::fraction_bits), function,
+      x);
 }
 
 /// atanh of x, as a To; 0 for |x| >= 1, or a domain_error.
@@ -126,7 +130,8 @@ template <class To, class Number>
 constexpr To inverse_hyperbolic_tangent(Number x) noexcept(To::never_throws) {
   const real_operand operand = real_operand_of(x);
   if (operand.whole() != 0) return outside_domain<To>(0, "atanh", x);
-  return limited<To>(interval_inverse_hyperbolic_tangent(operand, To::fraction_bits), "atanh", x);
+  return limited<To>(
+      interval_inverse_hyperbolic_tangent<rounding_of<To>>(operand, To::fraction_bits), "atanh", x);
 }
 
 }  // namespace detail::FIXED_FUNCTIONS

@@ -1,7 +1,7 @@
 /// @file
-/// The number type with all its operations and functions. Numbers as bytes, Eigen, batches and the
-/// recorder have headers of their own: fixed/bytes.hpp, fixed/eigen.hpp, fixed/batch/batch.hpp and
-/// fixed/record/recorded.hpp.
+/// The number type with all its operations and functions. Numbers as bytes, durations,
+/// Eigen, batches and the recorder have headers of their own: fixed/bytes.hpp, fixed/chrono.hpp,
+/// fixed/eigen.hpp, fixed/batch/batch.hpp and fixed/record/recorded.hpp.
 ///
 ///     #include "fixed/fixed.hpp"
 ///
@@ -16,7 +16,7 @@
 ///     fixproof::q16_16_saturating last(1e9);              // 32767.9999847412109375
 ///     if (auto q = fixproof::try_divide(x, q16_16())) {}  // no quotient by zero
 ///
-/// fixed/policy.hpp has the other policies; the end of fixed/number.hpp has their types.
+/// fixed/policy.hpp has the other policies; fixed/presets.hpp has their types.
 /// fixed/formats.hpp names the other formats, from 8 to 64 bits.
 ///
 /// Under -ffreestanding this header omits everything that needs a run-time library: text and
@@ -48,6 +48,7 @@
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 #include "fixed/power.hpp"
+#include "fixed/presets.hpp"
 #include "fixed/results.hpp"
 #include "fixed/sine.hpp"
 #include "fixed/traits.hpp"

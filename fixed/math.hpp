@@ -118,10 +118,10 @@ template <class Raw, int Point, policy Rules>
   return (min)((max)(x, low), high);
 }
 
-/// The number nearest to the square root, under every policy; there are no ties. The root of a
-/// negative number is 0; under overflow::trap it throws domain_error. Only in signed formats
-/// without a whole bit are some roots out of range. They throw an overflow_error under
-/// overflow::trap, and saturate under every other policy.
+/// The number nearest to the square root, or a bound of it under policy::functions. There are no
+/// ties. The root of a negative number is 0; under overflow::trap it throws domain_error. Only in
+/// signed formats without a whole bit are some roots out of range. They throw an overflow_error
+/// under overflow::trap, and saturate under every other policy.
 ///
 ///     static_assert(sqrt(q16_16(2)).raw() == 92682 && sqrt(q16_16(-1)) == q16_16());  // 92681.9
 template <class Raw, int Point, policy Rules>
@@ -133,10 +133,12 @@ template <class Raw, int Point, policy Rules>
     }
   }
   const Raw positive = x.raw() < 0 ? Raw{0} : x.raw();
-  constexpr overflow range =
-      detail::has_every_root<Raw, Point> ? overflow::wrap : detail::function_range<Rules.range>;
+  // Only an upper bound of a root can be 1 in a format without a whole bit.
+  constexpr bool is_in_range =
+      detail::has_every_root<Raw, Point> && Rules.functions != rounding::ceiling;
+  constexpr overflow range = is_in_range ? overflow::wrap : detail::function_range<Rules.range>;
   return number<Raw, Point, Rules>::from_raw(
-      detail::narrow<range, Raw>(detail::nearest_root<Point>(positive),
+      detail::narrow<range, Raw>(detail::stored_root<Rules.functions, Point>(positive),
                                  [&] { detail::raise_overflow<Point>("sqrt", x.raw()); }));
 }
 

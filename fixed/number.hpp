@@ -54,6 +54,13 @@ class number {
                 "a fixproof::number has 0 to as many fraction bits as its stored integer has bits");
   static_assert(Rules.range != overflow::as_range,
                 "policy::range is wrap, saturate or trap; as_range is for products and quotients");
+  static_assert(Rules.multiply != rounding::nearest && Rules.divide != rounding::nearest,
+                "policy::multiply and policy::divide say where ties go, as half_up does; "
+                "rounding::nearest is for policy::functions");
+  static_assert(
+      Rules.functions == rounding::nearest || !detail::is_to_nearest<Rules.functions>,
+      "policy::functions is nearest, floor, ceiling or truncate; ties of functions follow "
+      "policy::multiply");
   static_assert(Rules.fault != divide_fault::signed_quotient ||
                     Rules.quotients == overflow::as_range,
                 "policy::fault = signed_quotient makes every quotient out of range an error, so "
@@ -105,7 +112,7 @@ class number {
   ///
   ///     static_assert(q16_16(40000) == q16_16(40000 - 65536));
   ///     static_assert(q16_16_saturating(40000).raw() == 0x7fffffff);
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   explicit constexpr number(Int value) noexcept(never_throws)
       : raw_(detail::narrow<Rules.range, raw_type>(
             detail::units<raw_type, FractionBits, Rules.range>(value),
@@ -121,7 +128,7 @@ class number {
   ///     static_assert(q16_16_i386_unrounded(0.1).raw() == 6553);
   ///     static_assert(q16_16(std::numeric_limits<double>::quiet_NaN()) == q16_16());
   template <detail::binary_float Float>
-  explicit constexpr number(Float value) noexcept(never_throws) {
+  requires(!Rules.moving) explicit constexpr number(Float value) noexcept(never_throws) {
     if constexpr (detail::has_fast_conversion<Raw, Rules.range>) {
       raw_ = detail::converted<Rules.multiply, Rules.range, Raw, FractionBits>(value);
     } else {
@@ -134,7 +141,7 @@ class number {
   ///
   ///     static_assert(q32_32(0.1L).raw() == 429496730);  // 429496729.6
   template <detail::other_float Float>
-  explicit constexpr number(Float value) noexcept(never_throws) {
+  requires(!Rules.moving) explicit constexpr number(Float value) noexcept(never_throws) {
     if constexpr (detail::narrow_float<Float>) {
       raw_ = number(static_cast<double>(value)).raw_;
     } else {
@@ -171,20 +178,42 @@ class number {
   requires(sizeof...(Nothing) == 0 &&
            !std::same_as<number<OtherRaw, OtherBits, OtherRules>, number>)
       number(number<OtherRaw, OtherBits, OtherRules>, Nothing...)
-  FIXED_INSTEAD("formats convert explicitly, as in q8_8(x)");
+  FIXED_INSTEAD(
+      "formats convert explicitly, as in q8_8(x), which rounds and handles overflow by its policy");
   template <class Type>
   requires(std::is_integral_v<Type> && !detail::integer<Type>) number(Type)
   FIXED_INSTEAD("bool and char are not numbers: convert to int, as in q16_16(int{b})");
   explicit number(const char*)
       FIXED_INSTEAD("text becomes a number by from_chars, >> or a literal such as 1.5_q16_16");
+  template <class Type>
+  requires(Rules.moving && (detail::integer<Type> || std::is_floating_point_v<Type>)) number(Type)
+  FIXED_INSTEAD("policy::moving: write from_raw(n) for a stored integer, N(q16_16(n)) for a value");
+  template <class Type>
+  requires(Rules.moving&& std::is_arithmetic_v<Type> && !std::same_as<Type, bool>) explicit
+  operator Type() const FIXED_INSTEAD(
+      "policy::moving: write x.raw() for the stored integer, to_integer<rounding::floor>(x) "
+      "or static_cast<double>(q16_16(x)) for the value");
+  template <class = void>
+  requires(Rules.moving) number& operator++() FIXED_INSTEAD(
+      "policy::moving: ++ adds 1, not a unit: write x += N::from_raw(1), or x += N(1_q16_16)");
+  template <class = void>
+  requires(Rules.moving) number operator++(int) FIXED_INSTEAD(
+      "policy::moving: ++ adds 1, not a unit: write x += N::from_raw(1), or x += N(1_q16_16)");
+  template <class = void>
+  requires(Rules.moving) number& operator--() FIXED_INSTEAD(
+      "policy::moving: -- takes 1, not a unit: write x -= N::from_raw(1), or x -= N(1_q16_16)");
+  template <class = void>
+  requires(Rules.moving) number operator--(int) FIXED_INSTEAD(
+      "policy::moving: -- takes 1, not a unit: write x -= N::from_raw(1), or x -= N(1_q16_16)");
   operator double() const volatile FIXED_INSTEAD(
-      "conversions are explicit: write static_cast<double>(x), or static_cast<int>(x)");
+      "conversions are explicit: write static_cast<double>(x), or static_cast<int>(x), which "
+      "truncates");
   explicit operator bool() const FIXED_INSTEAD("a number is not a condition: write x != 0");
   /// @endcond
 
   /// The nearest double, ties to even, in every rounding mode of the processor. Exact if the number
   /// has at most 53 significant bits, as all numbers of 32 bits or less do.
-  explicit constexpr operator double() const noexcept {
+  explicit constexpr operator double() const noexcept requires(!Rules.moving) {
     if constexpr (detail::bits_of<Raw> <= 32) {
       const double x =
           static_cast<double>(raw_) / static_cast<double>(std::int64_t{1} << FractionBits);
@@ -197,12 +226,12 @@ class number {
   }
 
   /// The nearest float, ties to even, in every rounding mode of the processor.
-  explicit constexpr operator float() const noexcept {
+  explicit constexpr operator float() const noexcept requires(!Rules.moving) {
     return detail::to_float<float, FractionBits>(raw_);
   }
 
   /// The nearest long double: exact, unless it is no wider than double.
-  explicit constexpr operator long double() const noexcept {
+  explicit constexpr operator long double() const noexcept requires(!Rules.moving) {
     if constexpr (std::numeric_limits<long double>::digits >= detail::bits_of<Raw>) {
       constexpr int half = FractionBits / 2;
       return static_cast<long double>(raw_) / static_cast<long double>(std::uint64_t{1} << half) /
@@ -217,7 +246,8 @@ class number {
   ///
   ///     static_assert(static_cast<int>(q16_16(-1.5)) == -1);
   template <std::integral Int>
-  requires(!std::same_as<Int, bool>) explicit constexpr operator Int() const noexcept {
+  requires(!std::same_as<Int, bool> && !Rules.moving) explicit constexpr operator Int()
+      const noexcept {
     using wide = detail::signed_t<detail::larger(64, detail::signed_bits<Raw> + 1)>;
     using whole = std::conditional_t<std::is_signed_v<Raw>, std::int64_t, std::uint64_t>;
     return static_cast<Int>(
@@ -369,35 +399,35 @@ class number {
   /// \{
 
   /// The sum, exact. The policy handles overflow.
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   [[nodiscard]] friend constexpr number operator+(number a, Int b) noexcept(never_throws) {
     return with_integer<Rules.range>(units(b) + a.raw_, "operator+", a, b);
   }
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   [[nodiscard]] friend constexpr number operator+(Int a, number b) noexcept(never_throws) {
     return with_integer<Rules.range>(units(a) + b.raw_, "operator+", a, b);
   }
   /// The difference, exact. The policy handles overflow.
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   [[nodiscard]] friend constexpr number operator-(number a, Int b) noexcept(never_throws) {
     return with_integer<Rules.range>(-units(b) + a.raw_, "operator-", a, b);
   }
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   [[nodiscard]] friend constexpr number operator-(Int a, number b) noexcept(never_throws) {
     return with_integer<Rules.range>(units(a) - b.raw_, "operator-", a, b);
   }
   /// The product, exact. The policy handles overflow.
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   [[nodiscard]] friend constexpr number operator*(number a, Int b) noexcept(multiply_never_throws) {
     return with_integer<Rules.product_range()>(factor(b) * a.raw_, "operator*", a, b);
   }
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   [[nodiscard]] friend constexpr number operator*(Int a, number b) noexcept(multiply_never_throws) {
     return with_integer<Rules.product_range()>(factor(a) * b.raw_, "operator*", a, b);
   }
   /// The quotient, rounded once by policy::divide. Division by 0 and overflow follow number /
   /// number.
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   [[nodiscard]] friend constexpr number operator/(number n, Int d) noexcept(divide_never_throws) {
     if (d == 0) return n / number();
     const auto quotient = detail::divide_by_integer<Rules.divide>(n.raw_, d);
@@ -409,7 +439,7 @@ class number {
     return with_integer<Rules.quotient_range()>(quotient, "operator/", n, d);
   }
   /// The remainder, exact, as number % number.
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   [[nodiscard]] friend constexpr number operator%(number n, Int d) noexcept(divide_never_throws) {
     if (d == 0) return remainder_by_zero(n, d);
     using wide = detail::units_t<Raw, FractionBits>;
@@ -417,33 +447,33 @@ class number {
     const wide divisor = detail::units<Raw, FractionBits, overflow::saturate>(d);
     return from_raw(static_cast<raw_type>(wide{n.raw_} % divisor));
   }
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   constexpr number& operator%=(Int b) noexcept(divide_never_throws) {
     return *this = *this % b;
   }
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   constexpr number& operator+=(Int b) noexcept(never_throws) {
     return *this = *this + b;
   }
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   constexpr number& operator-=(Int b) noexcept(never_throws) {
     return *this = *this - b;
   }
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   constexpr number& operator*=(Int b) noexcept(multiply_never_throws) {
     return *this = *this * b;
   }
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   constexpr number& operator/=(Int b) noexcept(divide_never_throws) {
     return *this = *this / b;
   }
 
   /// Compares values, also with integers outside the range of the type.
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   friend constexpr bool operator==(number a, Int b) noexcept {
     return a <=> b == 0;
   }
-  template <detail::integer Int>
+  template <detail::value_integer<Rules> Int>
   friend constexpr std::strong_ordering operator<=>(number a, Int b) noexcept {
     using wide = detail::units_t<Raw, FractionBits>;
     const auto integer = detail::units<Raw, FractionBits, overflow::saturate>(b);
@@ -454,15 +484,19 @@ class number {
   }
 
   /// Adds 1. The policy handles overflow.
-  constexpr number& operator++() noexcept(never_throws) { return *this += 1; }
-  constexpr number operator++(int) noexcept(never_throws) {
+  constexpr number& operator++() noexcept(never_throws) requires(!Rules.moving) {
+    return *this += 1;
+  }
+  constexpr number operator++(int) noexcept(never_throws) requires(!Rules.moving) {
     const number before = *this;
     ++*this;
     return before;
   }
   /// Subtracts 1. The policy handles overflow.
-  constexpr number& operator--() noexcept(never_throws) { return *this -= 1; }
-  constexpr number operator--(int) noexcept(never_throws) {
+  constexpr number& operator--() noexcept(never_throws) requires(!Rules.moving) {
+    return *this -= 1;
+  }
+  constexpr number operator--(int) noexcept(never_throws) requires(!Rules.moving) {
     const number before = *this;
     --*this;
     return before;
@@ -561,51 +595,7 @@ template <class Raw, int FractionBits, policy Rules>
       detail::single_divide<Raw, FractionBits, Rules>(n.raw(), d.raw()));
 }
 
-/// 16.16: every operation rounds to nearest, ties up; overflow wraps.
-using q16_16 = number<std::int32_t, 16>;
-/// @name 16.16 under the other policies of fixproof::policies
-/// \{
-
-/// 16.16 under the policy of the same name; i386 and i8088 mean i386_rounded and i8088_rounded.
-using q16_16_saturating = number<std::int32_t, 16, policies::saturating>;
-using q16_16_trapping = number<std::int32_t, 16, policies::trapping>;
-using q16_16_i386 = number<std::int32_t, 16, policies::i386_rounded>;
-using q16_16_i386_mul_rounded = number<std::int32_t, 16, policies::i386_mul_rounded>;
-using q16_16_i386_div_rounded = number<std::int32_t, 16, policies::i386_div_rounded>;
-using q16_16_i386_unrounded = number<std::int32_t, 16, policies::i386_unrounded>;
-using q16_16_i8088 = number<std::int32_t, 16, policies::i8088_rounded>;
-using q16_16_i8088_mul_rounded = number<std::int32_t, 16, policies::i8088_mul_rounded>;
-using q16_16_i8088_div_rounded = number<std::int32_t, 16, policies::i8088_div_rounded>;
-using q16_16_i8088_unrounded = number<std::int32_t, 16, policies::i8088_unrounded>;
-/// \}
-
-/// 8.8 under the policy of q16_16.
-using q8_8 = number<std::int16_t, 8>;
-/// @name 8.8 under the other policies of fixproof::policies
-/// \{
-
-/// 8.8 under the policy of the same name; i386 and i8088 mean i386_rounded and i8088_rounded.
-using q8_8_saturating = number<std::int16_t, 8, policies::saturating>;
-using q8_8_trapping = number<std::int16_t, 8, policies::trapping>;
-using q8_8_i386 = number<std::int16_t, 8, policies::i386_rounded>;
-using q8_8_i386_mul_rounded = number<std::int16_t, 8, policies::i386_mul_rounded>;
-using q8_8_i386_div_rounded = number<std::int16_t, 8, policies::i386_div_rounded>;
-using q8_8_i386_unrounded = number<std::int16_t, 8, policies::i386_unrounded>;
-using q8_8_i8088 = number<std::int16_t, 8, policies::i8088_rounded>;
-using q8_8_i8088_mul_rounded = number<std::int16_t, 8, policies::i8088_mul_rounded>;
-using q8_8_i8088_div_rounded = number<std::int16_t, 8, policies::i8088_div_rounded>;
-using q8_8_i8088_unrounded = number<std::int16_t, 8, policies::i8088_unrounded>;
-/// \}
-
-namespace detail {
-
-template <class Type>
-inline constexpr bool is_plain_number = false;
-template <class Raw, int Point, policy Rules>
-inline constexpr bool is_plain_number<number<Raw, Point, Rules>> = true;
-
-}  // namespace detail
-
 }  // namespace fixproof
 
 #include "fixed/detail/refused.hpp"
+#include "fixed/presets.hpp"

@@ -14,6 +14,7 @@ enum class rounding {
   truncate,   ///< toward zero
   half_even,  ///< to nearest; ties to even
   ceiling,    ///< toward +infinity
+  nearest,    ///< to nearest; only for policy::functions, whose ties follow policy::multiply
 };
 
 /// What happens to a result outside the range of the type.
@@ -43,8 +44,8 @@ enum class divide_fault {
 /// The rules of a number type, passed as a template argument.
 ///
 /// `multiply` also rounds mul_add, dot, lerp and conversions from binary floating point, text and
-/// numbers with more fraction bits. sqrt, sin and cos always round to nearest. Conversions to float
-/// and to integers document their own rounding.
+/// numbers with more fraction bits. Conversions to float and to integers document their own
+/// rounding.
 ///
 ///     constexpr policy to_floor{.multiply = rounding::floor, .divide = rounding::floor};
 ///     using floored = number<std::int32_t, 16, to_floor>;
@@ -64,6 +65,14 @@ struct policy {
   divide_fault fault = divide_fault::none;      ///< Which divides are errors.
   overflow products = overflow::as_range;       ///< Of operator*, mul_add and dot.
   overflow quotients = overflow::as_range;      ///< Of operator/.
+  /// Rounding of roots, exponentials, sines and other functions: nearest, floor, ceiling or
+  /// truncate. The last three give bounds of the exact result; see docs/functions.md.
+  rounding functions = rounding::nearest;
+  /// For code that is moved from plain integers, and only until it is. Whoever reads `x * n` or
+  /// `(int)x` in such code cannot tell whether stored integers or values are meant. So integers and
+  /// floating-point numbers are no operands, and convert by name alone: from_raw(n) and x.raw(), or
+  /// for values by the type without this rule, as in q16_16(x).
+  bool moving = false;
 
   /// The overflow rule of products.
   [[nodiscard]] constexpr overflow product_range() const noexcept {

@@ -1,10 +1,11 @@
 /// @file
 /// Roots, reciprocals, lengths and powers, to nearest; docs/functions.md says what was compared.
 ///
-/// Each result is the number nearest to the exact value, under every policy. If the policy rounds
-/// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
-/// an overflow_error under overflow::trap. Under every other policy it saturates. reciprocal(),
-/// hypot() and sqrt<To>() take every format, the others only formats of at most 32 bits.
+/// Each result is the number nearest to the exact value, or a bound of it under policy::functions.
+/// If the policy rounds products to nearest, ties follow that rule; otherwise they go up. A result
+/// out of range throws an overflow_error under overflow::trap. Under every other policy it
+/// saturates. reciprocal(), hypot() and sqrt<To>() take every format, the others only formats of at
+/// most 32 bits.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +34,7 @@ namespace fixproof {
 
 namespace detail::FIXED_FUNCTIONS {
 
-/// The root of a sum of squares, to nearest.
+/// The root of a sum of squares.
 template <class Number, class... Coordinates>
 constexpr Number length(Coordinates... of) noexcept(Number::never_throws) {
   using raw = typename Number::raw_type;
@@ -42,16 +43,19 @@ constexpr Number length(Coordinates... of) noexcept(Number::never_throws) {
   // 1).
   if constexpr (2 * bits + 2 <= 64) {
     const auto square = [](std::int64_t x) { return static_cast<std::uint64_t>(x * x); };
-    return limited<Number>(nearest_sqrt_of_word((square(of.raw()) + ...)), "hypot", of...);
+    return limited<Number>(rounded_sqrt_of_word<rounding_of<Number>>((square(of.raw()) + ...)),
+                           "hypot", of...);
   } else {
     using wide = signed_t<2 * bits + 5>;
     const auto square = [](const wide& x) { return x * x; };
-    return limited<Number>(nearest_sqrt_by_pairs<bits + 2>((square(wide{of.raw()}) + ...)), "hypot",
-                           of...);
+    const wide sum = (square(wide{of.raw()}) + ...);
+    return limited<Number>(
+        rounded_root<rounding_of<Number>>(nearest_sqrt_by_pairs<bits + 2>(sum), sum), "hypot",
+        of...);
   }
 }
 
-/// The root of a sum of squares as a To, to nearest. The numbers of the sum are brought to the
+/// The root of a sum of squares as a To. The numbers of the sum are brought to the
 /// highest of their fraction bits.
 template <class To, class... Coordinates>
 constexpr To length_to(Coordinates... of) noexcept(To::never_throws) {
@@ -77,21 +81,30 @@ constexpr To length_to(Coordinates... of) noexcept(To::never_throws) {
   const auto square = [](const factor& x) { return wide{x * x}; };
   const wide sum = (square(factor{of.raw()} << (fraction - Coordinates::fraction_bits)) + ...);
   return narrowed_to<To, function_range<To::rules.range>>(
-      nearest_scaled_sqrt<ties_of<To>, shift, sum_bits>(sum), "hypot", of...);
+      rounded_scaled_sqrt<rounding_of<To>, shift, sum_bits>(sum), "hypot", of...);
+}
+
+template <class Number>
+constexpr bool is_whole(Number y) noexcept {
+  if constexpr (needs_intervals<Number>) {
+    return real_operand_of(y).is_whole();
+  } else {
+    return std::int64_t{y.raw()} % (std::int64_t{1} << Number::fraction_bits) == 0;
+  }
 }
 
 /// The ulps of x^y for x < 0 and a whole y, or for x > 0.
 template <class Number>
 constexpr auto power_of(Number x, Number y) noexcept {
   if constexpr (needs_intervals<Number>) {
-    return interval_power<ties_of<Number>>(real_operand_of(x), real_operand_of(y),
-                                           Number::fraction_bits);
+    return interval_power<rounding_of<Number>>(real_operand_of(x), real_operand_of(y),
+                                               Number::fraction_bits);
   } else {
     constexpr int Point = Number::fraction_bits;
     const std::int64_t raw{x.raw()};
     const auto magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
     const bool is_odd_power = (std::int64_t{y.raw()} >> Point & 1) != 0;
-    constexpr rounding ties = ties_of<Number>;
+    constexpr rounding ties = rounding_of<Number>;
     if (raw > 0 || !is_odd_power) return nearest_real_power<ties>(magnitude, y.raw(), Point);
     // A negative tie that goes up goes down in magnitude.
     constexpr bool is_up = ties == rounding::half_up;
@@ -104,7 +117,7 @@ constexpr auto power_of(Number x, Number y) noexcept {
 template <class Number>
 constexpr auto cube_root(Number x) noexcept {
   if constexpr (needs_intervals<Number>) {
-    return interval_cube_root(real_operand_of(x), Number::fraction_bits);
+    return interval_cube_root<rounding_of<Number>>(real_operand_of(x), Number::fraction_bits);
   } else {
     const std::int64_t raw{x.raw()};
     const std::int64_t root =
@@ -117,17 +130,24 @@ constexpr auto cube_root(Number x) noexcept {
 template <class Number>
 constexpr auto reciprocal_root(Number x) noexcept {
   if constexpr (needs_intervals<Number>) {
-    return interval_reciprocal_root<ties_of<Number>>(real_operand_of(x), Number::fraction_bits);
+    return interval_reciprocal_root<rounding_of<Number>>(real_operand_of(x), Number::fraction_bits);
   } else {
-    return nearest_reciprocal_root<ties_of<Number>>(static_cast<std::uint64_t>(x.raw()),
-                                                    Number::fraction_bits);
+    return nearest_reciprocal_root<rounding_of<Number>>(static_cast<std::uint64_t>(x.raw()),
+                                                        Number::fraction_bits);
   }
 }
 
 /// The ulps of 1 / x for an x that is not 0.
 template <class Number>
 constexpr auto reciprocal_of(Number x) noexcept {
-  return nearest_reciprocal<ties_of<Number>, Number::fraction_bits>(x.raw());
+  constexpr int Point = Number::fraction_bits;
+  constexpr rounding rule = rounding_of<Number>;
+  if constexpr (is_to_nearest<rule>) {
+    return nearest_reciprocal<rule, Point>(x.raw());
+  } else {
+    using wide = signed_t<larger(2 * Point + 2, signed_bits<typename Number::raw_type> + 1)>;
+    return rounded_ratio<rule>(wide{1} << (2 * Point), wide{x.raw()});
+  }
 }
 
 }  // namespace detail::FIXED_FUNCTIONS
@@ -159,8 +179,8 @@ template <class Raw, int Point, policy Rules>
                                                     "rsqrt", x);
 }
 
-/// 1 / x, rounded to nearest. (Operator / rounds as the policy says.) For zero it throws a
-/// domain_error under overflow::trap, and is the highest number under every other policy.
+/// 1 / x, rounded as other functions. (Operator / rounds as policy::divide says.) For zero it
+/// throws a domain_error under overflow::trap, and is the highest number under every other policy.
 ///
 ///     static_assert(reciprocal(q16_16(-3)).raw() == -21845);  // -21845.3
 template <class Raw, int Point, policy Rules>
@@ -216,7 +236,7 @@ requires detail::is_plain_number<To>
                                                bits + detail::larger(shift, 1) + 4)>;
   const Raw positive = x.raw() < 0 ? Raw{0} : x.raw();
   return detail::narrowed_to<To, range>(
-      detail::nearest_scaled_sqrt<detail::ties_of<To>, shift, bits>(wide{positive}), "sqrt", x);
+      detail::rounded_scaled_sqrt<detail::rounding_of<To>, shift, bits>(wide{positive}), "sqrt", x);
 }
 
 /// The length of the vector (x, y) as a To: the To nearest to the exact length, for every x and y.
@@ -259,7 +279,7 @@ template <class Raw, int Point, policy Rules>
     if (y.raw() > 0) return x;
     return detail::outside_domain<result>((std::numeric_limits<Raw>::max)(), "pow", x, y);
   }
-  if (x.raw() < 0 && !detail::real_operand_of(y).is_whole()) {
+  if (x.raw() < 0 && !detail::FIXED_FUNCTIONS::is_whole(y)) {
     return detail::outside_domain<result>(0, "pow", x, y);
   }
   return detail::limited<result>(detail::FIXED_FUNCTIONS::power_of(x, y), "pow", x, y);

@@ -1,9 +1,10 @@
 /// @file
 /// Functions of real numbers with a result in a format of its own: sin<q2_30>(x) for an x of 16.16.
 ///
-/// Each result is the To nearest to the exact value, under every policy. The policy of To decides
-/// ties and results out of range, and what happens outside the domain, as the policy of the type
-/// does in the functions of one format. sqrt<To>() and hypot<To>() are in fixed/power.hpp.
+/// Each result is the To nearest to the exact value, or a bound of it under policy::functions of
+/// To. The policy of To decides ties and results out of range, and what happens outside the domain,
+/// as the policy of the type does in the functions of one format. sqrt<To>() and hypot<To>() are in
+/// fixed/power.hpp.
 #pragma once
 
 #include <cstdint>

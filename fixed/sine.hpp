@@ -69,22 +69,23 @@ template <class Number>
   return sin_cos_of_tenths<Number>(angle).sin;
 }
 
-/// The number nearest to the sine of any angle in radians, under every policy; there are no ties.
+/// The number nearest to the sine of any angle in radians; there are no ties. For bounds, see
+/// fixed/trigonometry.hpp.
 ///
 ///     static_assert(sin(q16_16(1)) == q16_16(0.84147098480789650665));
 ///     static_assert(sin(q16_16(-32768)).raw() == -60808);  // -60807.99
 template <class Raw, int Point, policy Rules>
-requires detail::has_radians<Raw, Point>
+requires detail::has_radians<Raw, Point, Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> sin(number<Raw, Point, Rules> angle) noexcept {
   return number<Raw, Point, Rules>::from_raw(
       static_cast<Raw>(detail::nearest_sine<Point>(angle.raw(), 0)));
 }
 
-/// The number nearest to the cosine of any angle in radians, under every policy; there are no ties.
+/// The number nearest to the cosine of any angle in radians; there are no ties.
 ///
 ///     static_assert(cos(q16_16()) == q16_16(1) && cos(q16_16(-2)) == cos(q16_16(2)));
 template <class Raw, int Point, policy Rules>
-requires detail::has_radians<Raw, Point>
+requires detail::has_radians<Raw, Point, Rules>
 [[nodiscard]] constexpr number<Raw, Point, Rules> cos(number<Raw, Point, Rules> angle) noexcept {
   return number<Raw, Point, Rules>::from_raw(
       static_cast<Raw>(detail::nearest_sine<Point>(angle.raw(), detail::quarter_turn)));
@@ -94,7 +95,7 @@ requires detail::has_radians<Raw, Point>
 ///
 ///     const auto [sin, cos] = fixproof::sin_cos(fixproof::q16_16(0.5));
 template <class Raw, int Point, policy Rules>
-requires detail::has_radians<Raw, Point>
+requires detail::has_radians<Raw, Point, Rules>
 [[nodiscard]] constexpr sin_and_cos<number<Raw, Point, Rules>> sin_cos(
     number<Raw, Point, Rules> angle) noexcept {
   return {sin(angle), cos(angle)};

@@ -4,7 +4,7 @@
 #
 # The file has three parts:
 #   1. fixed/fixed.hpp with every header of this library in the place where it is included first, but those of functions
-#      of real numbers, which would make the file a third larger;
+#      of real numbers, which would make the file half as large again: with `-D FUNCTIONS=ON` it has them;
 #   2. fixed/std_format.hpp, outside the include guard: including the file again after fmt adds fmt's
 #      formatter, as including that header again does;
 #   3. fixed/batch/batch.hpp, fixed/batch/radian.hpp and fixed/batch/conversions.hpp, if FIXED_BATCH is defined. Their
@@ -14,7 +14,7 @@ cmake_minimum_required(VERSION 3.22)
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
 include(${root}/fixed/version.cmake)
 if(NOT OUT)
-  message(FATAL_ERROR "usage: cmake -D OUT=FILE -P fixed/single_header.cmake")
+  message(FATAL_ERROR "usage: cmake -D OUT=FILE [-D FUNCTIONS=ON] -P fixed/single_header.cmake")
 endif()
 get_filename_component(own_name ${OUT} NAME)
 
@@ -52,7 +52,10 @@ function(read_header header result)
 endfunction()
 
 # expand(TEXT RESULT): the text with the headers that it includes and `done` does not have.
-set(done fixed/angle.hpp fixed/exponential.hpp fixed/std_format.hpp fixed/power.hpp fixed/results.hpp fixed/trigonometry.hpp)
+set(done fixed/std_format.hpp)
+if(NOT FUNCTIONS)
+  list(APPEND done fixed/angle.hpp fixed/exponential.hpp fixed/power.hpp fixed/results.hpp fixed/trigonometry.hpp)
+endif()
 # A function, because a macro would evaluate the backslashes of the text again.
 function(expand start result)
   set(text "${start}")
@@ -75,7 +78,14 @@ function(expand start result)
 endfunction()
 
 set(parts fixed/batch/detail/parts.hpp)
-expand("\n#include \"fixed/fixed.hpp\"" number)
+set(start "\n#include \"fixed/fixed.hpp\"")
+if(FUNCTIONS)
+  # First, because FIXED_SMALL chooses among the headers that include these, and every choice needs them.
+  foreach(header arcsine arctangent exponential hyperbolic phase power)
+    string(PREPEND start "\n#include \"fixed/detail/${header}.hpp\"")
+  endforeach()
+endif()
+expand("${start}" number)
 read_header(fixed/std_format.hpp format)
 string(REGEX REPLACE "\n#include \"fixed/[^\n]*" "" format "${format}")
 read_header(${parts} lanes)

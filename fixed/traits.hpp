@@ -33,14 +33,16 @@ concept any_number = is_number_v<Type>;
 ///
 ///     static_assert(std::is_same_v<std::common_type_t<q16_16, int>, q16_16>);
 ///     static_assert(std::is_same_v<std::common_type_t<long, q8_8, int>, q8_8>);
-template <class Raw, int FractionBits, fixproof::policy Rules, fixproof::detail::integer Int>
+template <class Raw, int FractionBits, fixproof::policy Rules,
+          fixproof::detail::value_integer<Rules> Int>
 struct std::common_type<fixproof::number<Raw, FractionBits, Rules>, Int> {
   /// The number.
   using type = fixproof::number<Raw, FractionBits, Rules>;
 };
 
 /// The same, with the integer first.
-template <fixproof::detail::integer Int, class Raw, int FractionBits, fixproof::policy Rules>
+template <class Int, class Raw, int FractionBits, fixproof::policy Rules>
+requires fixproof::detail::value_integer<Int, Rules>
 struct std::common_type<Int, fixproof::number<Raw, FractionBits, Rules>> {
   /// The number.
   using type = fixproof::number<Raw, FractionBits, Rules>;

@@ -2,10 +2,10 @@
 /// Sines, cosines and tangents of radians, degrees and turns, rounded to nearest, in every format;
 /// docs/functions.md says what was compared.
 ///
-/// Each result is the number nearest to the exact value, under every policy. Only sines and cosines
-/// of degrees in a format without fraction bits have ties: 1/2 and -1/2. If the policy rounds
-/// products to nearest, ties follow that rule; otherwise they go up. A result out of range throws
-/// an overflow_error under overflow::trap. Under every other policy it saturates.
+/// Each result is the number nearest to the exact value, or a bound of it under policy::functions.
+/// Only sines and cosines of degrees in a format without fraction bits have ties: 1/2 and -1/2. If
+/// the policy rounds products to nearest, ties follow that rule; otherwise they go up. A result out
+/// of range throws an overflow_error under overflow::trap. Under every other policy it saturates.
 ///
 /// fixed/sine.hpp has sin(), cos() and sin_cos() of radians in 16.16 and 8.8.
 #pragma once
@@ -36,11 +36,11 @@ template <angle_unit Unit, class To, class Number>
 constexpr To sine_of(Number x, unsigned ahead, const char* function) noexcept(To::never_throws) {
   if constexpr (needs_intervals<To, Number>) {
     return limited<To>(
-        interval_sine<Unit, ties_of<To>>(real_operand_of(x), ahead, To::fraction_bits), function,
-        x);
+        interval_sine<Unit, rounding_of<To>>(real_operand_of(x), ahead, To::fraction_bits),
+        function, x);
   } else {
-    return limited<To>(nearest_sine_of<Unit, ties_of<To>>(x.raw(), ahead, Number::fraction_bits,
-                                                          To::fraction_bits),
+    return limited<To>(nearest_sine_of<Unit, rounding_of<To>>(x.raw(), ahead, Number::fraction_bits,
+                                                              To::fraction_bits),
                        function, x);
   }
 }
@@ -53,7 +53,9 @@ constexpr To tangent_of(Number x, const char* function) noexcept(To::never_throw
     if (is_tangent_pole<Unit>(real_operand_of(x))) {
       return outside_domain<To>((limits::max)(), function, x);
     }
-    return limited<To>(interval_tangent<Unit>(real_operand_of(x), To::fraction_bits), function, x);
+    return limited<To>(
+        interval_tangent<Unit, rounding_of<To>>(real_operand_of(x), To::fraction_bits), function,
+        x);
   } else {
     if (is_pole<Unit>(x.raw(), Number::fraction_bits)) {
       return outside_domain<To>((limits::max)(), function, x);
@@ -71,8 +73,9 @@ inline namespace FIXED_FUNCTIONS {
 ///
 ///     static_assert(sin(q2_30(1)).raw() == 903522590);  // 903522589.9
 template <class Raw, int Point, policy Rules>
-requires(!detail::has_radians<Raw, Point>) [[nodiscard]] constexpr number<Raw, Point, Rules> sin(
-    number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
+requires(!detail::has_radians<Raw, Point, Rules>)
+    [[nodiscard]] constexpr number<Raw, Point, Rules> sin(number<Raw, Point, Rules> angle) noexcept(
+        number<Raw, Point, Rules>::never_throws) {
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, number<Raw, Point, Rules>>(
       angle, 0, "sin");
 }
@@ -81,8 +84,9 @@ requires(!detail::has_radians<Raw, Point>) [[nodiscard]] constexpr number<Raw, P
 ///
 ///     static_assert(cos(q8_24(100)).raw() == 14467310);  // 14467309.98
 template <class Raw, int Point, policy Rules>
-requires(!detail::has_radians<Raw, Point>) [[nodiscard]] constexpr number<Raw, Point, Rules> cos(
-    number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
+requires(!detail::has_radians<Raw, Point, Rules>)
+    [[nodiscard]] constexpr number<Raw, Point, Rules> cos(number<Raw, Point, Rules> angle) noexcept(
+        number<Raw, Point, Rules>::never_throws) {
   return detail::FIXED_FUNCTIONS::sine_of<detail::angle_unit::radian, number<Raw, Point, Rules>>(
       angle, 1, "cos");
 }
@@ -163,7 +167,7 @@ template <class Raw, int Point, policy Rules>
 ///
 ///     const auto [sin, cos] = fixproof::sin_cos(fixproof::q2_30(0.5));
 template <class Raw, int Point, policy Rules>
-requires(!detail::has_radians<Raw, Point>)
+requires(!detail::has_radians<Raw, Point, Rules>)
     [[nodiscard]] constexpr sin_and_cos<number<Raw, Point, Rules>> sin_cos(
         number<Raw, Point, Rules> angle) noexcept(number<Raw, Point, Rules>::never_throws) {
   return {sin(angle), cos(angle)};

@@ -2,6 +2,8 @@
 /// Translates the type's rounding rules to the oracle's, because the parties share no header.
 #pragma once
 
+#include <stdexcept>
+
 #include "fixed/policy.hpp"
 #include "oracle/rule.hpp"
 
@@ -20,9 +22,11 @@ constexpr oracle::Rounding oracle_rule(fixproof::rounding rule) {
     case fixproof::rounding::ceiling:
       return oracle::Rounding::ceiling;
     case fixproof::rounding::truncate:
+      return oracle::Rounding::truncate;
+    case fixproof::rounding::nearest:
       break;
   }
-  return oracle::Rounding::truncate;
+  throw std::invalid_argument("a rule for functions alone");
 }
 
 }  // namespace fixproof::fuzz

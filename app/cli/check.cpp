@@ -16,6 +16,7 @@
 #include "app/cli/check_json.hpp"
 #include "app/cli/check_rules.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/option_names.hpp"
 #include "app/cli/port_option.hpp"
 #include "judge/check/cases.hpp"
 #include "judge/check/guess_text.hpp"
@@ -261,7 +262,7 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
   command
       .add_option("--json", options.json,
                   "also write the verdict as JSON to this file, or, as -, to standard output in "
-                  "place of the text; the members are in docs/check.md")
+                  "place of the text; the members are in docs/judging.md")
       ->check(not_empty());
   command.add_option("--show", options.shown, "number of wrong results to show")
       ->transform(whole_number(0, 1'000'000))
@@ -273,23 +274,36 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
 void add_check(CLI::App& app, int& status) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand(
-      "check", "judge another program's results, and find the rules that it follows");
+      "check", "judge results in a file or a pipe, and find the rules that they follow");
   add_check_options(*command, *options);
+  put_under(*command, "What is judged", {"--format", "--to", "--terms", "--from"});
+  put_under(*command, "What is right",
+            {"--rounding", "--within", "--overflow", "--divide-by-zero", "--negative-root",
+             "--outside-domain", "--not-finite", "--rule"});
+  put_under(*command, "Cases", {"--level", "--seed", "--shard", "--cases"});
+  put_under(*command, "Verdict", {"--json", "--show"});
   command->footer(
-      R"(The judged program reads the lines of `fixproof gen` and writes one result per line: 8 lower-case
+      R"(Write the cases, make the results, judge them:
+  fixproof gen mul -o cases
+  ./mine <cases >results
+  fixproof check mul results --rounding half-up
+`fixproof judge --run './mine' --as mul` does all three, and needs no rounding. docs/judge.md shows
+verdicts, and docs/judging.md explains every line.
+
+The judged program reads the lines of `fixproof gen` and writes one result per line: 8 lower-case
 hex digits (no 0x), or DE for a divide error. With --format and --to it writes the digits of the
 integer of 8, 16, 32 or 64 bits that stores a word, with its sign in the bits above.
-Give check the same --format, --to, --terms, --level, --seed, --shard and --cases as gen, so that both have the
-same cases. With --from it reads your own cases. It skips lines that start with #, in results and
-in cases.
+Give check the same --format, --to, --terms, --level, --seed, --shard and --cases as gen, so that
+both have the same cases. With --from it reads your own cases. It skips lines that start with #, in
+results and in cases.
 
 from_binary64 takes a double as 16 hex digits, convert a word of --format and results of --to,
 from_decimal a decimal number such as -1.5, and to_decimal a word. A result of to_decimal is a
 decimal number such as -1.5 or 2e-3, right if the nearest word is the operand.
 
---overflow, --divide-by-zero, --negative-root and --not-finite say what to expect if the result does not fit a
-word or does not exist. The words are those of 16.16; another --format has its own highest and
-lowest, and an unsigned one saturates a negative difference to 0:
+--overflow, --divide-by-zero, --negative-root, --outside-domain and --not-finite say what to expect
+if the result does not fit a word or does not exist. The words are those of 16.16; another --format
+has its own highest and lowest, and an unsigned one saturates a negative difference to 0:
   wrap        modulo 2^32
   saturate    7fffffff, or 80000000 if negative
   symmetric   7fffffff, or 80000001 if negative
@@ -301,7 +315,8 @@ lowest, and an unsigned one saturates a negative difference to 0:
   any         every result is accepted and counted
   00000000    this word, or -1.5, the word of this number
 A square root can be a tie only if a unit of its results is coarser than one of its operands, or
-above 1; else half-up, half-away and half-even agree. floor and toward-zero agree too, except under mirror, where floor rounds away from zero.
+above 1; else half-up, half-away and half-even agree. floor and toward-zero agree too, except under
+mirror, where floor rounds away from zero.
 Under saturate and symmetric, 0 / 0 and NaN may also be 0.
 
 --rule names the program whose routine the results should be those of, for every operand, faults

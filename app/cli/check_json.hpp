@@ -1,5 +1,5 @@
 /// @file
-/// The verdict of `fixproof check` as JSON; docs/check.md has its members.
+/// The verdict of `fixproof check` as JSON; docs/judging.md has its members.
 #pragma once
 
 #include <string>

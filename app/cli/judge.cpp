@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "app/cli/case_options.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/judge_listing.hpp"
 #include "app/cli/judge_options.hpp"
@@ -40,11 +41,12 @@ cases::Operation operation_of(std::string_view name) {
     if (name == shorter) name = known;
   }
   const cases::Operation operation = cases::operation_named(name);
-  if (!is_whole(operation) && (!check::is_judged(operation) || cases::is_conversion(operation) ||
-                               cases::is_sum(operation))) {
+  const bool is_of_words = check::is_judged(operation) && (!cases::is_conversion(operation) ||
+                                                           operation == cases::Operation::convert);
+  if (!is_whole(operation) && !is_of_words) {
     throw support::UsageError(fmt::format(
-        "--as {}: choose mul, div, sqrt, add, sub, muldiv, cos_sin, transform, or a function of "
-        "docs/functions.md; ? tries them",
+        "--as {}: choose mul, div, sqrt, add, sub, muldiv, mul_add, lerp, dot, convert, cos_sin, "
+        "transform, or a function of docs/functions.md; ? tries them",
         name));
   }
   return operation;
@@ -90,13 +92,12 @@ void expect_x86(const JudgeOptions& options, const judge::Image& image) {
   }
 }
 
-cases::Variant judged_variant(cases::Operation operation, const cases::Format& format) {
-  cases::check_format(operation, format);
-  if (is_whole(operation) && format != cases::q16_16) {
+cases::Variant judged_variant(cases::Operation operation, const JudgeOptions& options) {
+  cases::Variant variant = variant_in(operation, options.formats());
+  if (is_whole(operation) && variant.format != cases::q16_16) {
     throw support::UsageError(
         fmt::format("--as {} is for q16_16; leave out --format", cases::name_of(operation)));
   }
-  cases::Variant variant = cases::variant_of(operation, format);
   if (operation == cases::Operation::cossin) variant.build.target = cases::Target::i386;
   return variant;
 }
@@ -121,19 +122,19 @@ constexpr std::uint64_t cases_to_ask = 2000;
 /// range.
 /// @throws support::UsageError if none fits half of them
 cases::Operation ask_operation(const JudgeOptions& options, const judge::Image& image) {
-  const cases::Format format = cases::format_named(options.format);
+  const cases::Format format = cases::judged_format_named(options.format);
   std::optional<cases::Operation> best;
   double least = 0.5;
   for (const cases::Operation operation : asked) {
     if (!cases::is_in_format(operation, format)) continue;
     judge::VerdictOptions trial;
-    const cases::Variant variant = judged_variant(operation, format);
-    judge::Subject subject{image, judge::frame_for(image, options.frame, variant), variant};
+    std::optional<judge::Subject> fitting;
     try {
-      judge::expect_fit(subject.frame, subject.variant, image.bits);
+      fitting.emplace(subject_of(options, image, judged_variant(operation, options)));
     } catch (const support::UsageError&) {
-      continue;  // another number of operands
+      continue;  // another number of operands, or no results in the format of --to
     }
+    const judge::Subject& subject = *fitting;
     trial.rules = {.variant = subject.variant,
                    .overflow = check::Overflow::any,
                    .no_result = check::NoResult::any};
@@ -179,7 +180,7 @@ bool print_inspection(const judge::Subject& subject) {
     return true;
   }
   const judge::Inspection inspection = judge::inspect(subject);
-  std::cout << '\n' << inspection_text(inspection, subject.image.architecture == nullptr);
+  std::cout << '\n' << inspection_text(inspection, subject.image);
   // Code for older processors has a table of clocks, which counts instructions, too.
   if (subject.image.bits == 64 || subject.image.architecture != nullptr) {
     std::cout << instructions_text(inspection);
@@ -226,6 +227,9 @@ int status_of(bool right, const judge::Image& image, const judge::Verdict& verdi
         "\nThe code looks like 64-bit code, and ran as {}-bit code: add --bits 64.\n", image.bits);
   } else if (image.has_assumed_bits && fails_widely(verdict)) {
     std::cout << "\nThe code ran as 16-bit code: add --bits 32 if it has 32 bits.\n";
+    if (image.container == judge::flat_container) {
+      std::cout << "If it is not for x86, give the ELF file that it was made from.\n";
+    }
   }
   return 1;
 }
@@ -261,11 +265,13 @@ int judge_file(const JudgeOptions& given, const CLI::App& command) {
     return 0;
   }
   if (options.operation.empty()) {
-    throw support::UsageError("--as is required; name what the routine computes, or ? to find out");
+    throw support::UsageError(
+        "--as is required; name what the routine computes, such as --as mul, or --as '?' to find "
+        "out");
   }
   const cases::Operation operation =
       options.operation == "?" ? ask_operation(options, image) : operation_of(options.operation);
-  const cases::Variant variant = judged_variant(operation, cases::format_named(options.format));
+  const cases::Variant variant = judged_variant(operation, options);
   const judge::Subject subject = subject_of(options, image, variant);
   if (!options.trace.empty()) return trace_case(subject, options.trace);
   judge::VerdictOptions use{
@@ -276,8 +282,7 @@ int judge_file(const JudgeOptions& given, const CLI::App& command) {
     progress->show(done);
   };
   if (is_whole(operation)) return judge_whole_results(options, subject, use, progress);
-  use.rounding_is_open =
-      options.rounding.empty() && options.rule.empty() && check::is_rounded(variant);
+  use.rounding_is_open = is_open(options) && check::is_rounded(variant);
   const judge::Verdict verdict = judge::judge_routine(subject, use);
   progress.reset();
   const Rounding rounding = !use.rounding_is_open            ? Rounding::given
@@ -297,7 +302,7 @@ int judge_file(const JudgeOptions& given, const CLI::App& command) {
 void add_judge(CLI::App& app, int& status) {
   auto options = std::make_shared<JudgeOptions>();
   CLI::App* command = app.add_subcommand(
-      "judge", "judge a machine-code routine of your own, for 16, 32 or 64 bits");
+      "judge", "judge your code: a function in C, machine code, or a program in any language");
   options->add_to(*command);
   command->callback([options, command, &status] { status = judge_file(*options, *command); });
 }

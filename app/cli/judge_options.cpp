@@ -6,6 +6,7 @@
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/case_options.hpp"
+#include "app/cli/option_names.hpp"
 #include "app/cli/port_option.hpp"
 #include "support/usage_error.hpp"
 
@@ -45,8 +46,9 @@ void expect_effects(const CLI::App& command) {
         "what is judged? Name the file of a routine, or a program: --run './mine'");
   }
   expect_only(command, "--list", {"file", "--at", "--symbol", "--bits"});
-  expect_only(command, "--trace",
-              {"file", "--at", "--symbol", "--bits", "--as", "--frame", "--format"});
+  expect_only(
+      command, "--trace",
+      {"file", "--at", "--symbol", "--bits", "--as", "--frame", "--format", "--to", "--terms"});
   expect_only(command, "--against-listing",
               {"file", "--at", "--target", "--round", "--mul-round", "--div-round", "--as-printed",
                "--chapter", "--repaired"});
@@ -59,24 +61,12 @@ void RunOptions::add_to(CLI::App& command) {
                       "judge a program: a command of the shell that reads the cases of gen and "
                       "writes a result per line")
           ->check(not_empty());
-  const auto of_run = [runs](CLI::Option* option) { option->needs(runs); };
-  of_run(command.add_option("--to", to, "format of the program's results; by default --format")
-             ->check(not_empty()));
-  of_run(command.add_option("--terms", terms, "number of products of dot")
-             ->transform(whole_number(1, cases::max_terms))
-             ->capture_default_str());
-  of_run(command
-             .add_option("--within", within,
-                         "the largest error of a program that is right, in ulps (2) or of the "
-                         "exact result (0.5%)")
-             ->check(not_empty())
-             ->excludes(command.get_option("--rounding"))
-             ->excludes(command.get_option("--rule")));
-  of_run(command
-             .add_option("--processes", processes,
-                         "number of processes of the program; by default one, or one for each "
-                         "processor if it would take over 2 seconds")
-             ->transform(whole_number(1, 1024)));
+  command
+      .add_option("--processes", processes,
+                  "number of processes of the program; by default one, or one for each "
+                  "processor if it would take over 2 seconds")
+      ->transform(whole_number(1, 1024))
+      ->needs(runs);
 }
 
 void JudgeOptions::add_to(CLI::App& command) {
@@ -97,7 +87,8 @@ void JudgeOptions::add_to(CLI::App& command) {
       .add_option(
           "--frame", frame,
           "calling convention: c, c-far, pascal, pascal-far, stdcall, of 64-bit code sysv (as c) "
-          "or ms, or registers such as 'eax, ebx -> eax' or 'dx:ax, cx:bx -> dx:ax keeps si'")
+          "or ms, types of C such as 'long, long -> long', or registers such as 'eax, ebx -> eax' "
+          "or 'dx:ax, cx:bx -> dx:ax keeps si'")
       ->check(not_empty())
       ->capture_default_str();
   command
@@ -113,13 +104,20 @@ void JudgeOptions::add_to(CLI::App& command) {
           "NASM source, else 16")
       ->check(CLI::IsMember({16, 32, 64}));
   command
-      .add_option("--format", format,
-                  "format of the words: qW_F signed or uW_F unsigned, 8, 16, 32 or 64 bits in all")
+      .add_option(
+          "--format", format,
+          "format of the words: qW_F signed or uW_F unsigned, with W bits before the point and F "
+          "after it, 2 to 64 in all")
+      ->capture_default_str();
+  command.add_option("--to", to, "format of the results; by default --format")->check(not_empty());
+  command.add_option("--terms", terms, "number of products of dot")
+      ->transform(whole_number(1, cases::max_terms))
       ->capture_default_str();
   command
-      .add_option("--rounding", rounding,
-                  "expected rounding: half-up, half-away, half-even, floor or toward-zero; by "
-                  "default the one that fits best")
+      .add_option(
+          "--rounding", rounding,
+          "expected rounding: half-up, half-away, half-even, floor, ceiling, toward-zero or "
+          "faithful; by default the one that fits best")
       ->check(not_empty());
   command
       .add_option("--overflow", overflow,
@@ -129,11 +127,19 @@ void JudgeOptions::add_to(CLI::App& command) {
       ->capture_default_str();
   command
       .add_option("--no-result", no_result,
-                  "expected result where there is none, as in a division by 0: any, or a value of "
-                  "--divide-by-zero, --negative-root or --outside-domain of check")
+                  "expected result where there is none, as in a division by 0: de, any, or another "
+                  "value of --divide-by-zero, --negative-root, --outside-domain or --not-finite "
+                  "of check")
       ->check(not_empty())
       ->capture_default_str();
   add_port_option(command, rule, {"--rounding", "--overflow", "--no-result"});
+  command
+      .add_option("--within", within,
+                  "the largest error of a routine that is right, in ulps (2) or of the exact "
+                  "result (0.5%)")
+      ->check(not_empty())
+      ->excludes(command.get_option("--rounding"))
+      ->excludes(command.get_option("--rule"));
   add_case_options(command, cases);
   command.add_option("--show", shown, "number of wrong results to show")
       ->transform(whole_number(0, 1'000'000))
@@ -161,43 +167,73 @@ void JudgeOptions::add_to(CLI::App& command) {
       ->check(not_empty());
   listing.add_to(command);
   run.add_to(command);
+  put_under(command, "What is judged",
+            {"--as", "--run", "--symbol", "--at", "--bits", "--frame", "--processes", "--timeout"});
+  put_under(command, "Formats", {"--format", "--to", "--terms"});
+  put_under(command, "What is right",
+            {"--rounding", "--within", "--overflow", "--no-result", "--rule"});
+  put_under(command, "Cases", {"--level", "--seed", "--shard", "--cases", "--show"});
+  put_under(command, "More about a routine",
+            {"--prove", "--solver", "--clocks", "--list", "--trace"});
+  put_under(command, "Is it a listing of FIXED.ASM",
+            {"--against-listing", "--target", "--round", "--mul-round", "--div-round",
+             "--as-printed", "--chapter", "--repaired"});
   command.footer(
-      R"(The routine runs on every case of `fixproof gen`, in a process of its own that can open no file and
+      R"(Start with the line that fits. docs/judge.md shows what each prints:
+  fixproof judge fixed.c:fix_mul --as mul        a function in C or C++
+  fixproof judge libmine.so:fix_mul --as mul     a function of a library, an object or a program
+  fixproof judge firmware.elf:fix_mul --as mul   firmware for ARM, RISC-V and others
+  fixproof judge old.com --at 1a0h --as '?' --frame 'dx:ax, cx:bx -> dx:ax'
+                                                 a routine of a DOS program, whatever it computes
+  fixproof judge --run './mine' --as mul         a program in any language, or a simulation
+For a function in Python see docs/python.md, for Verilog and VHDL docs/hardware.md, for results in
+a file `fixproof check --help`.
+
+The verdict begins with the rules. Without --rounding, these are the rounding that fits best; name
+the one that you intend, so that others are wrong.
+  AGREES     no result is wrong
+  WRONG      some are; the smallest case follows, and what all of them have in common
+  BROKEN     the code faults, ends or hangs, for the case that is named
+  UNSTEADY   the result differs from call to call; STATEFUL: it depends on earlier calls
+
+A routine runs on every case of `fixproof gen`, in a process of its own that can open no file and
 start no program. It runs on this processor, or on Unicorn if the processor cannot run it. An ELF
 file may have code for i386, x86-64, ARM and Thumb, AArch64, RISC-V of 32 and 64 bits, MIPS of 32
-bits, the 68000, PowerPC or s390x. C and C++ are compiled with -O2, or as $CFLAGS or $CXXFLAGS say.
+bits, the 68000, PowerPC, s390x or, if the build has simavr, AVR. C and C++ are compiled with -O2, or as $CFLAGS or $CXXFLAGS say.
 
---frame says where the operands and the result are. Name the registers in the order of the
-operands, a pair with its upper half first, a pointer in brackets. In the stack conventions, the
-routine must preserve (E)BP, (E)SI and (E)DI, and also EBX in 32-bit code; in 64-bit code RBX, RBP and
-R12 to R15, and for ms RSI and RDI too. After registers, `keeps` names those that it must preserve. It must always leave the direction flag clear, the x87 stack
-empty, and DS, SS and the x87's control word as they were.
+--frame says where the operands and the result are. Types of C are passed as a C compiler does:
+'long, long -> long', or 'int32_t*, int32_t*, int32_t*, 1 ->' for pointers to both operands and the
+result, and a count that is always 1. Else name the registers in the order of the operands, a pair
+with its upper half first, a pointer in brackets. In the stack conventions, the routine must
+preserve (E)BP, (E)SI and (E)DI, and also EBX in 32-bit code; in 64-bit code RBX, RBP and R12 to
+R15, and for ms RSI and RDI too. After registers, `keeps` names those that it must preserve. It must
+always leave the direction flag clear, the x87 stack empty, and DS, SS and the x87's control word as
+they were.
   mul, div, add, sub  two numbers          -> a number
   sqrt                a number             -> a number
   muldiv              a, b, c              -> a * b / c
+  dot                 all first factors, then the second ones; mul_add and lerp take three numbers
   cos_sin             tenths of a degree (16 bits) -> cosine and sine, or pointers to them
   transform           pointers to 12, 3 and 3 numbers: matrix, vector, result
 
---run judges a program in any language instead: it reads the lines of `fixproof gen` and writes one
-result per line, 8 lower-case hex digits or DE, as for `fixproof check`. Lines that start with # are skipped. A program
-that ends, hangs or writes what is no result is BROKEN, and the verdict names the case. --as then takes every operation
-of check, and --format every format.
+A program of --run reads the lines of `fixproof gen` on standard input, such as 00018000 ffff0000
+for 1.5 and -1.0, and writes a line for each: 8 lower-case hex digits, or DE for a divide error.
+Lines that start with # are skipped. --as then takes every operation of `fixproof check`.
 
 Exit status: 0 if all results are right and there is no defect, 1 if there is one, 2 for bad usage
 or input, 130 if interrupted.
 
-Examples:
-  fixproof judge fixed.c:fix_mul --as mul
+More examples:
   CC='arm-none-eabi-gcc -mcpu=cortex-m4' fixproof judge fixed.c:fix_mul --as mul
-  fixproof judge firmware.elf:fix_mul --as mul
+  fixproof judge firmware.elf:FT_MulFix --as mul --frame 'long, long -> long'
+  fixproof judge firmware.elf:arm_sqrt_q31 --as sqrt --format q1_31 --frame 'int32_t, int32_t* ->' --within 2
   fixproof judge fixmul.asm --as mul --frame 'eax, ebx -> eax' --bits 32
   fixproof judge game.exe --as mul --at 0:1f40 --frame c-far
   fixproof judge mine.o --symbol my_mul --as mul --overflow wrap --prove
   fixproof judge doom.o --symbol FixedDiv --as div --rule doom
   fixproof judge fixed.o --symbol fix_div --as div --rounding toward-zero
-  fixproof judge old.com --at 1a0h --as '?' --frame 'dx:ax, cx:bx -> dx:ax'
-  fixproof judge --run './mine' --as mul
   fixproof judge --run 'python3 mine.py' --as div --rounding floor --no-result de
+  fixproof judge --run 'vvp -n bench' --as mul --cases 20000
   fixproof judge demo1.exe --against-listing all --mul-round on --div-round off)");
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/case_options.hpp"
 #include "app/cli/judge_listing.hpp"
 #include "app/cli/solver_options.hpp"
 #include "judge/check/cases.hpp"
@@ -15,10 +16,7 @@ namespace fixproof::cli {
 
 /// What --run takes besides.
 struct RunOptions {
-  std::string program;  ///< a command of the shell
-  std::string to;       ///< the format of the results; empty if it is that of the words
-  std::size_t terms = cases::Variant{}.terms;
-  std::string within;
+  std::string program;        ///< a command of the shell
   std::size_t processes = 0;  ///< 0: as many as pay
 
   /// Adds the options to a command, which must not outlive this object.
@@ -29,8 +27,11 @@ struct JudgeOptions {
   std::string file;
   std::string operation;
   std::string format = "q16_16";
+  std::string to;  ///< the format of the results; empty if it is that of the words
+  std::size_t terms = cases::Variant{}.terms;
   std::string rule;
   std::string rounding;
+  std::string within;
   std::string overflow = "any";
   std::string no_result = "any";
   std::string frame = "c";
@@ -46,6 +47,8 @@ struct JudgeOptions {
   std::string trace;
   ListingOptions listing;
   RunOptions run;
+
+  [[nodiscard]] FormatOptions formats() const { return {format, to, terms}; }
 
   /// Adds the options and the help to a command, which must not outlive this object.
   void add_to(CLI::App& command);

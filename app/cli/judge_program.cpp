@@ -35,7 +35,7 @@ cases::Variant judged_by_run(const JudgeOptions& options) {
         "lists them",
         options.operation));
   }
-  return variant_in(operation, {options.format, options.run.to, options.run.terms});
+  return variant_in(operation, options.formats());
 }
 
 /// Returns how a program ended, such as "ends by signal 8 (Floating point exception)".
@@ -49,7 +49,9 @@ std::string ending_text(const std::optional<program::Child::Ending>& ending) {
 std::string fix_of(const program::Failure& failure) {
   switch (failure.fault->kind) {
     case program::Fault::Kind::ends:
-      if (failure.is_alone) return "write one line for every case, DE where there is no result";
+      if (failure.is_alone)
+        return "read cases from standard input, and write one line for each, DE where there is no "
+               "result";
       return "read cases up to the end of the input, and write one line for each";
     case program::Fault::Kind::silent:
       return "end the loop at the end of the input, or give --timeout more seconds";
@@ -128,8 +130,7 @@ int judge_program(const JudgeOptions& options, const CLI::App& command) {
         progress->show(done);
       }};
   if (of_run.processes > 0) use.processes = of_run.processes;
-  use.rounding_is_open = options.rounding.empty() && options.rule.empty() &&
-                         of_run.within.empty() && check::is_rounded(variant);
+  use.rounding_is_open = is_open(options) && check::is_rounded(variant);
   const program::Verdict verdict = program::judge_program(use);
   progress.reset();
   expect_started(verdict, of_run.program);
@@ -151,7 +152,7 @@ int judge_program(const JudgeOptions& options, const CLI::App& command) {
     if (verdict.unsteady) {
       std::cout << fmt::format(
           "UNSTEADY: for {} the result differs from run to run: the program keeps something from "
-          "case to case, or reads what nobody sets\n",
+          "case to case, or reads registers or memory that nothing sets\n",
           check::text_of_operands(*verdict.unsteady, verdict.rules));
     }
     std::cout << judgement_text(*verdict.judge, verdict.smallest);

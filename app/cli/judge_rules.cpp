@@ -15,16 +15,20 @@ bool is_whole(cases::Operation operation) {
   return operation == cases::Operation::cossin || operation == cases::Operation::xformvec;
 }
 
+bool is_open(const JudgeOptions& options) {
+  return options.rounding.empty() && options.rule.empty() && options.within.empty();
+}
+
 check::Rules rules_of(const JudgeOptions& options, const cases::Variant& variant) {
   if (!options.rule.empty()) {
     return port_rules_named(options.rule, variant);
   }
   check::Rules rules{.variant = variant};
   const bool rounds = !is_whole(variant.operation) && check::is_rounded(variant);
-  if (!options.run.within.empty()) {
+  if (!options.within.empty()) {
     if (!rounds) throw support::UsageError("--within applies only to results that are rounded");
-    rules.within = within_of(options.run.within);
-  } else if (!options.run.program.empty() && options.rounding == check::faithful) {
+    rules.within = within_of(options.within);
+  } else if (options.rounding == check::faithful) {
     rules.faithful = true;
   } else if (!options.rounding.empty()) {
     if (!rounds) throw support::UsageError("--rounding applies only to results that are rounded");

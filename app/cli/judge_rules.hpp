@@ -12,6 +12,9 @@ namespace fixproof::cli {
 /// Tells whether results have several words, which `judge` alone judges.
 bool is_whole(cases::Operation operation);
 
+/// Tells whether no option says how results are rounded.
+bool is_open(const JudgeOptions& options);
+
 /// @throws support::UsageError for an option that does not apply or that names no rule
 check::Rules rules_of(const JudgeOptions& options, const cases::Variant& variant);
 

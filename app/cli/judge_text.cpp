@@ -17,11 +17,13 @@ namespace fixproof::cli {
 
 namespace {
 
-std::string machine_text(const judge::Verdict& verdict) {
-  std::string text = fmt::format(
-      "{} case{} {} in {}", support::grouped(verdict.cases), verdict.cases == 1 ? "" : "s",
-      verdict.machine == judge::On::processor ? "on this processor" : "on Unicorn",
-      support::duration(verdict.seconds));
+std::string machine_text(const judge::Verdict& verdict, const judge::Image& image) {
+  std::string text = fmt::format("{} case{} {} in {}", support::grouped(verdict.cases),
+                                 verdict.cases == 1 ? "" : "s",
+                                 verdict.machine == judge::On::processor
+                                     ? "on this processor"
+                                     : fmt::format("on {}", judge::emulator_of(image.architecture)),
+                                 support::duration(verdict.seconds));
   if (verdict.on_both > 0) {
     text += fmt::format(", {} of them also on Unicorn", support::grouped(verdict.on_both));
   }
@@ -35,7 +37,16 @@ std::string smallest_text(const check::JudgedCase& one, const check::Rules& rule
   return line.substr(line.find("): ") + 3);
 }
 
-std::string unsteady_text(const judge::Verdict& verdict) {
+/// What a caller of 64-bit code may not set, because it takes the operands for 32-bit integers.
+std::string hint_of_types(const judge::Subject& subject) {
+  const judge::Architecture* const architecture = subject.image.architecture;
+  const bool is_64 = architecture != nullptr ? architecture->is_64 : subject.image.bits == 64;
+  const bool is_named = subject.frame.text.find("->") != std::string::npos;
+  if (!is_64 || is_named) return {};
+  return "; if it takes types of 64 bits, name them, as in --frame 'long, long -> long'";
+}
+
+std::string unsteady_text(const judge::Subject& subject, const judge::Verdict& verdict) {
   const std::string& operands = verdict.unsteady->operands;
   if (const auto& state = verdict.state) {
     return fmt::format(
@@ -52,8 +63,10 @@ std::string unsteady_text(const judge::Verdict& verdict) {
   }
   return fmt::format(
       "UNSTEADY: for {} the result differs from call to call: the routine reads a register, a flag "
-      "or memory that its caller does not set, or a flag that Intel leaves undefined\n",
-      operands);
+      "or memory that its caller does not set{}{}\n",
+      operands,
+      subject.image.architecture == nullptr ? ", or a flag that Intel leaves undefined" : "",
+      hint_of_types(subject));
 }
 
 /// Returns what a call breaks, such as "does not keep si and leaves the direction flag set".
@@ -149,7 +162,7 @@ std::string heading_text(const judge::Subject& subject, const std::string& file,
 
 std::string calls_text(const judge::Subject& subject, const judge::Verdict& verdict) {
   const judge::Image& image = subject.image;
-  std::string text = machine_text(verdict);
+  std::string text = machine_text(verdict, image);
   if (verdict.stuck) {
     return text + fmt::format("BROKEN: for {} the routine {}\n", verdict.stuck->operands,
                               text_of(verdict.stuck->ending, subject.image));
@@ -166,7 +179,7 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
                         broken_text(verdict.not_preserved->broken, image),
                         verdict.not_preserved->operands);
   }
-  if (verdict.unsteady) text += unsteady_text(verdict);
+  if (verdict.unsteady) text += unsteady_text(subject, verdict);
   if (verdict.first_divide_error) {
     text +=
         fmt::format("{} case{} raise{} a divide error (#DE), first {}\n",
@@ -226,8 +239,10 @@ std::string instructions_text(const judge::Inspection& inspection) {
       static_cast<double>(inspection.instructions) / static_cast<double>(inspection.calls));
 }
 
-std::string inspection_text(const judge::Inspection& inspection, bool is_x86) {
-  std::string text = fmt::format("{} calls step by step on Unicorn:", inspection.calls);
+std::string inspection_text(const judge::Inspection& inspection, const judge::Image& image) {
+  const bool is_x86 = image.architecture == nullptr;
+  std::string text = fmt::format("{} calls step by step on {}:", inspection.calls,
+                                 judge::emulator_of(image.architecture));
   if (inspection.is_clean()) {
     return text + fmt::format(" {}no foreign memory is used, no instruction is changed\n",
                               is_x86 ? "no undefined flag is read, " : "");

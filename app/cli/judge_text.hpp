@@ -31,7 +31,7 @@ std::string whole_text(const judge::Subject& subject, const judge::WholeVerdict&
 
 /// Returns what the step-by-step calls show.
 /// @param is_x86 whether what flags instructions read was looked at
-std::string inspection_text(const judge::Inspection& inspection, bool is_x86);
+std::string inspection_text(const judge::Inspection& inspection, const judge::Image& image);
 /// Returns the least, the most and the mean number of instructions, as a line.
 std::string instructions_text(const judge::Inspection& inspection);
 

@@ -51,4 +51,8 @@ std::string exclusion_in(const CLI::App& app) {
   return "two of the options exclude each other";
 }
 
+void put_under(CLI::App& command, const char* heading, std::initializer_list<const char*> names) {
+  for (const char* name : names) command.get_option(name)->group(heading);
+}
+
 }  // namespace fixproof::cli

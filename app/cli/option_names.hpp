@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <initializer_list>
 #include <string>
 
 namespace fixproof::cli {
@@ -17,5 +18,8 @@ class HelpFormatter : public CLI::Formatter {
 /// Describes the first pair of given options that exclude each other: `--a excludes --b`.
 /// @param app it has parsed arguments and thrown CLI::ExcludesError
 std::string exclusion_in(const CLI::App& app);
+
+/// Shows options of a command under a heading of its help.
+void put_under(CLI::App& command, const char* heading, std::initializer_list<const char*> names);
 
 }  // namespace fixproof::cli

@@ -23,16 +23,11 @@
 
 namespace fixproof::detail {
 
-/// Whether fixed/batch/radian.hpp computes the sines of numbers Number.
-template <class Number>
-inline constexpr bool has_radians_of =
-    has_radians<typename Number::raw_type, Number::fraction_bits>;
-
 /// out[i] = Function::scalar(from[i]...) for i below `count`.
 template <class Function, class Number, class... Operands>
 void each_result(batch::path use, Number* out, std::size_t count,
                  const Operands*... from) noexcept(Number::never_throws) {
-  std::size_t i = on_function_path<has_lanes<Number>>(
+  std::size_t i = on_function_path<has_function_lanes<Number>>(
       use, [&](auto on) { return on.template each<Function>(out, count, from...); });
   for (; i < count; ++i) out[i] = Function::scalar(from[i]...);
 }

@@ -17,10 +17,15 @@
 
 namespace fixproof::detail {
 
+/// Whether this header computes the sines of numbers Number.
+template <class Number>
+inline constexpr bool has_radians_of =
+    has_radians<typename Number::raw_type, Number::fraction_bits, Number::rules>;
+
 template <class Number>
 constexpr void check_radians() noexcept {
   static_assert(
-      has_radians<typename Number::raw_type, Number::fraction_bits>,
+      has_radians_of<Number>,
       "radians need 16.16 or 8.8: for others, call sin and cos of fixed/batch/functions.hpp");
 }
 
@@ -35,7 +40,7 @@ void sines(batch::path use, const Number* from, Number* to, std::size_t count,
   constexpr int Point = Number::fraction_bits;
   std::size_t i = 0;
   if (count > few_angles) {
-    i = on_path<has_radians<typename Number::raw_type, Point>>(use, [&](auto on) {
+    i = on_path<has_radians_of<Number>>(use, [&](auto on) {
       return on.template sines<typename Number::raw_type, Point>(from, to, count, ahead);
     });
   }

@@ -34,7 +34,7 @@ def type_name(value_type, letter, whole_bits, fraction_bits):
     # "fixproof::number<int, 16, fixproof::policy{(fixproof::rounding)1, ...}>" of g++, "{1, ...}" of clang.
     policy = str(value_type.strip_typedefs()).partition("{")[2]
     rules = tuple(map(int, re.findall(r"(?:^|, )(?:\(fixproof::\w+\))?(\d)", policy)))
-    suffix = SUFFIXES.get(rules[:5], "") if rules[5:] == (3, 3) else ""
+    suffix = SUFFIXES.get(rules[:5], "") if rules[5:7] == (3, 3) else ""
     return f"{letter}{whole_bits}_{fraction_bits}{suffix}"
 
 

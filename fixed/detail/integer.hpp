@@ -12,6 +12,10 @@
 
 namespace fixproof::detail {
 
+/// An integer that mixes with numbers of the policy, and converts to and from them.
+template <class Type, policy Rules>
+concept value_integer = integer<Type> && !Rules.moving;
+
 /// An integer as a Wide: modulo the range of Raw if the rule is to wrap, else limited to
 /// +-(2^Limit - 1) unless Raw has 64 bits.
 template <class Wide, class Raw, overflow Overflow, int Limit, integer Int>

@@ -15,6 +15,7 @@
 #include "fixed/detail/interval_constants.hpp"
 #include "fixed/detail/square_root.hpp"
 #include "fixed/detail/wide_integer.hpp"
+#include "fixed/policy.hpp"
 
 namespace fixproof::detail {
 
@@ -195,19 +196,33 @@ class interval {
   }
 
   /// The nearest integer of units of 2^-fraction_bits, if all numbers of the interval have the same
-  /// one; from 2^66 on, just that. @pre 0 <= fraction_bits <= 64
+  /// one; from 2^65 on, 2^66. @pre 0 <= fraction_bits <= 64
   [[nodiscard]] constexpr interval_ulps nearest_ulps(int fraction_bits) const noexcept {
     const int whole = exponent_ + fraction_bits;
-    constexpr int beyond = 67;
-    if (whole >= beyond + 2) {
-      return {is_normal(), signed_ulps(int128{1} << (beyond - 1))};
-    }
+    // Then a magnitude with a known first bit is above 2^64, out of range in every format.
+    constexpr int beyond = 66;
+    if (whole >= beyond) return {is_normal(), signed_ulps(int128{1} << beyond)};
     // M counts 2^-dropped half ulps.
     const int dropped = 32 * static_cast<int>(size_) - 1 - whole;
     const int128 low = halves_above(dropped, true);
     const int128 high = halves_above(dropped, false);
     const int128 ulps = (high + int128{1}) >> 1;
-    return {(low + int128{1}) >> 1 == ulps, signed_ulps(ulps)};
+    return {((low + int128{1}) >> 1) == ulps, signed_ulps(ulps)};
+  }
+
+  /// The integer of units of 2^-fraction_bits below or above, by a rule that is not to nearest, if
+  /// every number of the interval has the same one and none is an integer; from 2^65 on, 2^66.
+  template <rounding Rounding>
+  [[nodiscard]] constexpr interval_ulps directed_ulps(int fraction_bits) const noexcept {
+    const int whole = exponent_ + fraction_bits;
+    if (whole >= 66) return nearest_ulps(fraction_bits);
+    const int dropped = 32 * static_cast<int>(size_) - whole;
+    // No end of the wider interval is an end of this one, which so has no integer at its ends.
+    const interval wider = widened();
+    const int128 low = wider.halves_above(dropped, true);
+    const int128 high = wider.halves_above(dropped, false);
+    const bool grows = Rounding == (is_negative_ ? rounding::floor : rounding::ceiling);
+    return {is_normal() && low == high, signed_ulps(grows ? low + int128{1} : low)};
   }
 
  private:
@@ -228,7 +243,7 @@ class interval {
   }
 
   /// The lower or the upper end of the magnitude, divided by 2^places and rounded down; an end
-  /// below 0 counts as 0. @pre the result is below 2^70, places > 64
+  /// below 0 counts as 0. @pre the result is below 2^68
   [[nodiscard]] constexpr int128 halves_above(int places, bool is_low) const noexcept {
     std::array<std::uint32_t, most_digits + 1> end{};
     std::int64_t carry = 0;

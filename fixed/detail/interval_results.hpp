@@ -1,8 +1,9 @@
 /// @file
-/// The functions in formats of 64 bits: the nearest integer of ulps.
+/// The functions in formats of 64 bits, and bounds in every format: an integer of ulps.
 ///
 /// Each result is computed with 192 bits. If its interval has two nearest integers, it is computed
-/// again with 320 and with 576 bits. Only a tie needs more; integers find those first.
+/// again with 320 and with 576 bits. Only a tie needs more; integers find those first. A bound
+/// is decided in the same way, except that only a result that is an integer needs more.
 #pragma once
 
 #include <array>
@@ -58,20 +59,45 @@ constexpr real_operand real_operand_of(Number x) noexcept {
 /// Out of range in every format.
 inline constexpr int128 far_ulps = int128{1} << 66;
 
-constexpr int128 with_sign(const int128& ulps, bool is_negative) noexcept {
-  return is_negative ? -ulps : ulps;
+constexpr auto with_sign(const auto& value, bool is_negative) noexcept {
+  return is_negative ? -value : value;
 }
 
-/// The integer of ulps nearest to compute(digits), an interval. @pre it is no tie
-template <class Compute>
+/// Whether a rule gives bounds.
+template <rounding Rounding>
+inline constexpr bool is_bound = !is_to_nearest<Rounding>;
+
+/// compute(digits), an interval, rounded to an integer of ulps. @pre it is no tie
+template <rounding Rounding, class Compute>
 constexpr int128 certain_ulps(int fraction_bits, const Compute& compute) noexcept {
-  for (const std::size_t digits : {std::size_t{6}, std::size_t{10}}) {
-    const interval_ulps ulps = compute(digits).nearest_ulps(fraction_bits);
+  for (const std::size_t digits : {std::size_t{6}, std::size_t{10}, interval::most_digits}) {
+    const interval result = compute(digits);
+    interval_ulps ulps{};
+    if constexpr (is_bound<Rounding>) {
+      ulps = result.template directed_ulps<Rounding>(fraction_bits);
+      // The result is that integer, because no other is so near to one.
+      if (!ulps.is_decided && digits == interval::most_digits) {
+        ulps = result.nearest_ulps(fraction_bits);
+      }
+    } else {
+      ulps = result.nearest_ulps(fraction_bits);
+    }
     if (ulps.is_decided) return ulps.ulps;
   }
-  const interval_ulps ulps = compute(interval::most_digits).nearest_ulps(fraction_bits);
-  FIXED_ASSERT(ulps.is_decided);
-  return ulps.ulps;
+  FIXED_ASSERT(false);
+  return int128{0};
+}
+
+/// A number that is above or below an integer of ulps by less than a half, rounded.
+template <rounding Rounding>
+constexpr int128 beside(const int128& ulps, bool is_above) noexcept {
+  const int128 below = is_above ? ulps : ulps - int128{1};
+  if constexpr (Rounding == rounding::floor) return below;
+  if constexpr (Rounding == rounding::ceiling) return below + int128{1};
+  if constexpr (Rounding == rounding::truncate) {
+    return below < int128{0} ? below + int128{1} : below;
+  }
+  return ulps;
 }
 
 /// @name Exponentials, logarithms and hyperbolic functions
@@ -91,25 +117,28 @@ constexpr interval exponential_interval(const interval& x) noexcept {
 }
 
 /// The exponential, less 1 if `less`.
-template <exponential_base Base, rounding Ties>
+template <exponential_base Base, rounding Rounding>
 constexpr int128 interval_exponential(const real_operand& x, bool less,
                                       int fraction_bits) noexcept {
-  if (has_far_power(x)) return x.is_negative ? -(int128{less ? 1 : 0} << fraction_bits) : far_ulps;
+  if (has_far_power(x)) {
+    const int128 least = -(int128{less ? 1 : 0} << fraction_bits);
+    return x.is_negative ? beside<Rounding>(least, true) : far_ulps;
+  }
   // By the theorems of Gelfond and Schneider and of Lindemann, only a whole power of two is a tie.
   if (Base == exponential_base::two && x.is_negative && x.is_whole() &&
       x.whole() == static_cast<std::uint64_t>(fraction_bits) + 1) {
-    return shift_right<Ties>(int128{1}, 1);
+    return shift_right<Rounding>(int128{1}, 1);
   }
-  return certain_ulps(fraction_bits, [&](std::size_t digits) {
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const interval power = exponential_interval<Base>(x.with(digits));
     return power - whole_like(power, less ? 1 : 0);
   });
 }
 
 /// The logarithm of x, or of x + 1 if `more`. @pre that is positive
-template <logarithm_base Base>
+template <logarithm_base Base, rounding Rounding>
 constexpr int128 interval_logarithm(const real_operand& x, bool more, int fraction_bits) noexcept {
-  return certain_ulps(fraction_bits, [&](std::size_t digits) {
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const interval operand = x.with(digits);
     const interval sum = operand + whole_like(operand, more ? 1 : 0);
     if constexpr (Base == logarithm_base::e) {
@@ -122,11 +151,11 @@ constexpr int128 interval_logarithm(const real_operand& x, bool more, int fracti
   });
 }
 
-template <hyperbola Function>
+template <hyperbola Function, rounding Rounding>
 constexpr int128 interval_hyperbolic(const real_operand& x, int fraction_bits) noexcept {
   const bool is_odd = Function == hyperbola::sine;
   if (has_far_power(x)) return with_sign(far_ulps, is_odd && x.is_negative);
-  return certain_ulps(fraction_bits, [&](std::size_t digits) {
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const interval power = exponential_interval<exponential_base::e>(x.with(digits));
     const interval inverse = whole_like(power, 1) / power;
     return (is_odd ? power - inverse : power + inverse).scaled(-1);
@@ -134,9 +163,12 @@ constexpr int128 interval_hyperbolic(const real_operand& x, int fraction_bits) n
 }
 
 /// From 64 on, the result is 1 less 2 e^-128.
+template <rounding Rounding>
 constexpr int128 interval_hyperbolic_tangent(const real_operand& x, int fraction_bits) noexcept {
-  if (x.whole() >= 64) return with_sign(int128{1} << fraction_bits, x.is_negative);
-  return certain_ulps(fraction_bits, [&](std::size_t digits) {
+  if (x.whole() >= 64) {
+    return beside<Rounding>(with_sign(int128{1} << fraction_bits, x.is_negative), x.is_negative);
+  }
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const interval power = exponential_interval<exponential_base::e>(x.with(digits).scaled(1));
     const interval one = whole_like(power, 1);
     return (power - one) / (power + one);
@@ -145,22 +177,22 @@ constexpr int128 interval_hyperbolic_tangent(const real_operand& x, int fraction
 
 /// asinh(x) = log(|x| + sqrt(x^2 + 1)) with the sign of x; acosh(x) = log(x + sqrt(x^2 - 1)).
 /// @pre x >= 1 for acosh
-template <hyperbola Function>
+template <hyperbola Function, rounding Rounding>
 constexpr int128 interval_inverse_hyperbolic(const real_operand& x, int fraction_bits) noexcept {
-  const int128 ulps = certain_ulps(fraction_bits, [&](std::size_t digits) {
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const interval operand = x.absolute().with(digits);
     const interval one = whole_like(operand, 1);
     const interval square =
         Function == hyperbola::sine ? operand * operand + one : (operand - one) * (operand + one);
-    return natural_logarithm(operand + sqrt(square));
+    return with_sign(natural_logarithm(operand + sqrt(square)), x.is_negative);
   });
-  return with_sign(ulps, x.is_negative);
 }
 
 /// atanh(x) = log((1 + x) / (1 - x)) / 2. @pre |x| < 1
+template <rounding Rounding>
 constexpr int128 interval_inverse_hyperbolic_tangent(const real_operand& x,
                                                      int fraction_bits) noexcept {
-  return certain_ulps(fraction_bits, [&](std::size_t digits) {
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const interval operand = x.with(digits);
     const interval one = whole_like(operand, 1);
     return natural_logarithm((one + operand) / (one - operand)).scaled(-1);
@@ -201,17 +233,17 @@ constexpr reduced_angle reduced(const real_operand& angle, std::size_t digits) n
 }
 
 /// The sine of an angle plus `ahead` quarter turns, 0 or 1.
-template <angle_unit Unit, rounding Ties>
+template <angle_unit Unit, rounding Rounding>
 constexpr int128 interval_sine(const real_operand& x, unsigned ahead, int fraction_bits) noexcept {
   const bool is_flipped = x.is_negative && ahead == 0;
   // By Niven's theorem only 1/2 can be a tie, and only in a format of integers.
   if (Unit == angle_unit::degree && fraction_bits == 0 && x.is_whole()) {
     const std::uint64_t degrees = (x.whole() % 360 + 90 * ahead) % 360;
     if (degrees % 180 == 30 || degrees % 180 == 150) {
-      return shift_right<Ties>(int128{(degrees > 180) != is_flipped ? -1 : 1}, 1);
+      return shift_right<Rounding>(int128{(degrees > 180) != is_flipped ? -1 : 1}, 1);
     }
   }
-  return certain_ulps(fraction_bits, [&](std::size_t digits) {
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const reduced_angle angle = reduced<Unit>(x, digits);
     const std::uint64_t quarters = angle.quarters + ahead;
     const interval sine = quarters % 2 == 0 ? angle.rest.sin : angle.rest.cos;
@@ -233,9 +265,9 @@ constexpr bool is_tangent_pole(const real_operand& x) noexcept {
 }
 
 /// @pre there is no pole
-template <angle_unit Unit>
+template <angle_unit Unit, rounding Rounding>
 constexpr int128 interval_tangent(const real_operand& x, int fraction_bits) noexcept {
-  return certain_ulps(fraction_bits, [&](std::size_t digits) {
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const auto [quarters, rest] = reduced<Unit>(x, digits);
     const interval tangent = quarters % 2 == 0 ? rest.sin / rest.cos : -(rest.cos / rest.sin);
     return x.is_negative ? -tangent : tangent;
@@ -255,13 +287,13 @@ constexpr interval angle_in(const interval& radians) noexcept {
 
 /// An exact angle of some eighths of a turn. Only these can be ties, and only in turns: by Niven's
 /// theorem, other rational angles have no rational tangent, and no sine but 1/2, at a twelfth.
-template <rounding Ties>
+template <rounding Rounding>
 constexpr int128 eighths_of_turn(int eighths, bool is_negative, int fraction_bits) noexcept {
-  return shift_right<Ties>(with_sign(int128{eighths} << fraction_bits, is_negative), 3);
+  return shift_right<Rounding>(with_sign(int128{eighths} << fraction_bits, is_negative), 3);
 }
 
 /// The angle of the vector (x, y); 0 if both are 0. @pre both have the same number of places
-template <angle_unit Unit, rounding Ties>
+template <angle_unit Unit, rounding Rounding>
 constexpr int128 interval_vector_angle(const real_operand& y, const real_operand& x,
                                        int fraction_bits) noexcept {
   if (y.magnitude == 0 && !x.is_negative) return int128{0};
@@ -271,46 +303,46 @@ constexpr int128 interval_vector_angle(const real_operand& y, const real_operand
                         : x.magnitude != y.magnitude ? 0
                         : x.is_negative              ? 3
                                                      : 1;
-    if (eighths != 0) return eighths_of_turn<Ties>(eighths, y.is_negative, fraction_bits);
+    if (eighths != 0) return eighths_of_turn<Rounding>(eighths, y.is_negative, fraction_bits);
   }
-  const int128 ulps = certain_ulps(fraction_bits, [&](std::size_t digits) {
-    return angle_in<Unit>(angle_of_vector(y.absolute().with(digits), x.with(digits)));
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
+    const interval angle = angle_of_vector(y.absolute().with(digits), x.with(digits));
+    return with_sign(angle_in<Unit>(angle), y.is_negative);
   });
-  return with_sign(ulps, y.is_negative);
 }
 
 /// The angle whose tangent is x.
-template <angle_unit Unit, rounding Ties>
+template <angle_unit Unit, rounding Rounding>
 constexpr int128 interval_slope_angle(const real_operand& x, int fraction_bits) noexcept {
   if (Unit == angle_unit::turn && x.is_one()) {
-    return eighths_of_turn<Ties>(1, x.is_negative, fraction_bits);
+    return eighths_of_turn<Rounding>(1, x.is_negative, fraction_bits);
   }
-  const int128 ulps = certain_ulps(fraction_bits, [&](std::size_t digits) {
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const interval slope = x.absolute().with(digits);
-    return angle_in<Unit>(angle_of_vector(slope, whole_like(slope, 1)));
+    const interval angle = angle_of_vector(slope, whole_like(slope, 1));
+    return with_sign(angle_in<Unit>(angle), x.is_negative);
   });
-  return with_sign(ulps, x.is_negative);
 }
 
 /// The arcsine or arccosine. @pre |x| <= 1
-template <angle_unit Unit, triangle_side Side, rounding Ties>
+template <angle_unit Unit, triangle_side Side, rounding Rounding>
 constexpr int128 interval_triangle_angle(const real_operand& x, int fraction_bits) noexcept {
   constexpr bool is_sine = Side == triangle_side::sine;
   if constexpr (Unit == angle_unit::turn) {
-    if (x.magnitude == 0) return eighths_of_turn<Ties>(is_sine ? 0 : 2, false, fraction_bits);
+    if (x.magnitude == 0) return eighths_of_turn<Rounding>(is_sine ? 0 : 2, false, fraction_bits);
     if (x.is_one()) {
       const int eighths = is_sine ? 2 : x.is_negative ? 4 : 0;
-      return eighths_of_turn<Ties>(eighths, is_sine && x.is_negative, fraction_bits);
+      return eighths_of_turn<Rounding>(eighths, is_sine && x.is_negative, fraction_bits);
     }
   }
-  const int128 ulps = certain_ulps(fraction_bits, [&](std::size_t digits) {
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const interval side = x.with(digits);
     const interval one = whole_like(side, 1);
     const interval other = sqrt((one - side) * (one + side));
-    return angle_in<Unit>(is_sine ? angle_of_vector(side.magnitude(), other)
-                                  : angle_of_vector(other, side));
+    const interval angle =
+        is_sine ? angle_of_vector(side.magnitude(), other) : angle_of_vector(other, side);
+    return with_sign(angle_in<Unit>(angle), is_sine && x.is_negative);
   });
-  return with_sign(ulps, is_sine && x.is_negative);
 }
 
 /// \}
@@ -320,25 +352,25 @@ constexpr int128 interval_triangle_angle(const real_operand& x, int fraction_bit
 
 /// The cube root. No tie: the cube of an odd number of half ulps is no multiple of 1/4. The cube of
 /// the nearest one differs by at least 1/8 from that of the root, in ulps, so 320 bits decide.
+template <rounding Rounding>
 constexpr int128 interval_cube_root(const real_operand& x, int fraction_bits) noexcept {
   if (x.magnitude == 0) return int128{0};
-  const int128 ulps = certain_ulps(fraction_bits, [&](std::size_t digits) {
-    return power_of_two(binary_logarithm(x.absolute().with(digits)) / 3);
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
+    return with_sign(power_of_two(binary_logarithm(x.absolute().with(digits)) / 3), x.is_negative);
   });
-  return with_sign(ulps, x.is_negative);
 }
 
 /// 1 / sqrt(x) for x > 0. The square of an odd number of half ulps has the reciprocal x in ulps
 /// only if both are powers of two. The product of that square and x differs by at least 1/4 from
 /// a power of two otherwise, so 320 bits decide.
-template <rounding Ties>
+template <rounding Rounding>
 constexpr int128 interval_reciprocal_root(const real_operand& x, int fraction_bits) noexcept {
   // 1 / sqrt(2^(2 f + 2)) is 2^-(f + 1).
   const int exponent = 2 * fraction_bits + 2 + x.places;
   if (exponent < 64 && x.magnitude == std::uint64_t{1} << exponent) {
-    return shift_right<Ties>(int128{1}, 1);
+    return shift_right<Rounding>(int128{1}, 1);
   }
-  return certain_ulps(fraction_bits, [&](std::size_t digits) {
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const interval root = sqrt(x.with(digits));
     return whole_like(root, 1) / root;
   });
@@ -382,14 +414,14 @@ constexpr int128 odd_half_ulps(const real_operand& x, const real_operand& y,
   if (y.is_negative) return int128{0};
   int128 power{1};
   for (int i = 0; i < p; ++i) {
-    if (power >> 66 != int128{0} || root >> 33 != 0) return p == 1 ? int128{root} : int128{0};
+    if ((power >> 66) != int128{0} || root >> 33 != 0) return p == 1 ? int128{root} : int128{0};
     power = power * int128{root};
   }
   return power;
 }
 
 /// x^y for x > 0, or for x < 0 and a whole y.
-template <rounding Ties>
+template <rounding Rounding>
 constexpr int128 interval_power(const real_operand& x, const real_operand& y,
                                 int fraction_bits) noexcept {
   // An odd whole number: its last bit is in the format.
@@ -399,16 +431,15 @@ constexpr int128 interval_power(const real_operand& x, const real_operand& y,
     return with_sign(int128{1} << fraction_bits, is_negative);
   }
   const int128 half_ulps = odd_half_ulps(x, y, fraction_bits);
-  if (half_ulps != int128{0}) return shift_right<Ties>(with_sign(half_ulps, is_negative), 1);
-  const int128 ulps = certain_ulps(fraction_bits, [&](std::size_t digits) {
+  if (half_ulps != int128{0}) return shift_right<Rounding>(with_sign(half_ulps, is_negative), 1);
+  return certain_ulps<Rounding>(fraction_bits, [&](std::size_t digits) {
     const interval exponent = y.with(digits) * binary_logarithm(x.absolute().with(digits));
     // From 2^8 on, the power is at least 2^256 or at most 2^-256.
-    if (exponent.exponent() > 8) {
-      return exponent.is_negative() ? whole_like(exponent, 0) : whole_like(exponent, 1).scaled(256);
-    }
-    return power_of_two(exponent);
+    const interval power = exponent.exponent() > 8
+                               ? whole_like(exponent, 1).scaled(exponent.is_negative() ? -256 : 256)
+                               : power_of_two(exponent);
+    return with_sign(power, is_negative);
   });
-  return with_sign(ulps, is_negative);
 }
 
 /// \}

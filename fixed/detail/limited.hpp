@@ -15,10 +15,13 @@
 
 namespace fixproof::detail {
 
-/// The rule for ties: that of the policy's products if it is to nearest, else half_up.
+/// The rule of functions: policy::functions, or to nearest with the ties of the policy's products,
+/// which go up if those are not to nearest.
 template <class Number>
-inline constexpr rounding ties_of =
-    is_to_nearest<Number::rules.multiply> ? Number::rules.multiply : rounding::half_up;
+inline constexpr rounding rounding_of =
+    Number::rules.functions != rounding::nearest ? Number::rules.functions
+    : is_to_nearest<Number::rules.multiply>      ? Number::rules.multiply
+                                                 : rounding::half_up;
 
 /// The number of ulps as a Number. Out of range, throws an overflow_error under overflow::trap,
 /// else returns the nearest limit. @param operands numbers of any formats, for the text of an error

@@ -10,9 +10,12 @@
 
 namespace fixproof::detail {
 
-/// Whether functions need more than 64-bit integers for the first try.
-template <class... Number>
-inline constexpr bool needs_intervals = ((bits_of<typename Number::raw_type> > 32) || ...);
+/// Whether functions of these numbers are computed with intervals: if 64-bit integers are too short
+/// for the first try, or the results are bounds.
+template <class To, class... Number>
+inline constexpr bool needs_intervals = To::rules.functions != rounding::nearest ||
+                                        bits_of<typename To::raw_type> > 32 ||
+                                        ((bits_of<typename Number::raw_type> > 32) || ...);
 
 template <class Type>
 concept number_or_arithmetic = std::is_arithmetic_v<Type> || is_plain_number<Type>;

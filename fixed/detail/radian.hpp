@@ -11,6 +11,7 @@
 
 #include "fixed/detail/cosine.hpp"
 #include "fixed/detail/storage.hpp"
+#include "fixed/policy.hpp"
 
 namespace fixproof::detail {
 
@@ -75,11 +76,11 @@ struct fast_rounding {
 /// Added to the turns of an angle to round them to the bits above the lower 31.
 inline constexpr std::uint64_t turns_bias = std::uint64_t{1} << 30;
 
-/// Whether nearest_sine() covers the format: 8.8 and 16.16.
-template <class Raw, int FractionBits>
-inline constexpr bool has_radians =
-    (FractionBits == 8 || FractionBits == 16) && std::is_signed_v<Raw>&& bits_of<Raw> ==
-                                                     2 * FractionBits;
+/// Whether nearest_sine() covers the format, 8.8 or 16.16, and the rule of its functions.
+template <class Raw, int FractionBits, policy Rules>
+inline constexpr bool has_radians = Rules.functions == rounding::nearest &&
+                                    (FractionBits == 8 || FractionBits == 16) &&
+                                    std::is_signed_v<Raw>&& bits_of<Raw> == 2 * FractionBits;
 
 /// The nearest sine of an angle in units of 2^-FractionBits radians, advanced by `ahead` / 2^64
 /// turns, in the same units.

@@ -14,16 +14,16 @@
 #include "fixed/detail/other_floats.hpp"
 #include "fixed/detail/storage.hpp"
 
-#if defined(FIXED_ON_ERROR)
+#if defined(FIXED_ON_ERROR) || __STDC_HOSTED__
 #include "fixed/detail/throw.hpp"
-#elif __STDC_HOSTED__
+#endif
+#if !defined(FIXED_ON_ERROR) && __STDC_HOSTED__
 #include <array>
 #include <charconv>
 #include <concepts>
 #include <string>
 #include <string_view>
 
-#include "fixed/detail/throw.hpp"
 #include "fixed/error.hpp"
 #endif
 

@@ -14,6 +14,12 @@ namespace fixproof {
 
 namespace detail {
 
+/// Whether the type is a number of any format and policy.
+template <class Type>
+inline constexpr bool is_plain_number = false;
+template <class Raw, int Point, policy Rules>
+inline constexpr bool is_plain_number<number<Raw, Point, Rules>> = true;
+
 /// Arithmetic types that do not mix with numbers: floating point, bool and the character types.
 template <class Type>
 concept foreign = std::is_arithmetic_v<Type> && !integer<Type>;
@@ -21,6 +27,27 @@ concept foreign = std::is_arithmetic_v<Type> && !integer<Type>;
 }  // namespace detail
 
 /// @cond
+// An integer beside a number, while code is moved. NOLINTNEXTLINE(cppcoreguidelines-macro-usage)
+#define FIXED_REFUSED_INTEGER(op, sign)                                                 \
+  template <class Raw, int Point, policy Rules, detail::integer Int>                    \
+  requires(Rules.moving) number<Raw, Point, Rules>                                      \
+  operator op(number<Raw, Point, Rules>, Int)                                           \
+      FIXED_INSTEAD("policy::moving: write x.raw() " sign " n, or x " sign              \
+                    " N::from_raw(n), or for a value x " sign " N(2_q16_16)");          \
+  template <detail::integer Int, class Raw, int Point, policy Rules>                    \
+  requires(Rules.moving) number<Raw, Point, Rules>                                      \
+  operator op(Int, number<Raw, Point, Rules>)                                           \
+      FIXED_INSTEAD("policy::moving: write n " sign " x.raw(), or N::from_raw(n) " sign \
+                    " x, or for a value N(2_q16_16) " sign " x");
+FIXED_REFUSED_INTEGER(+, "+")
+FIXED_REFUSED_INTEGER(-, "-")
+FIXED_REFUSED_INTEGER(*, "*")
+FIXED_REFUSED_INTEGER(/, "/")
+FIXED_REFUSED_INTEGER(%, "%")
+FIXED_REFUSED_INTEGER(==, "==")
+FIXED_REFUSED_INTEGER(<=>, "<")
+#undef FIXED_REFUSED_INTEGER
+
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares operators
 #define FIXED_REFUSED_OPERATOR(op, formats)                                                  \
   template <class RawA, int FA, policy PA, class RawB, int FB, policy PB>                    \
@@ -36,9 +63,12 @@ FIXED_REFUSED_OPERATOR(+, "formats do not mix: name the result, as in add<q16_16
 FIXED_REFUSED_OPERATOR(-, "formats do not mix: name the result, as in subtract<q16_16>(a, b)")
 FIXED_REFUSED_OPERATOR(*, "formats do not mix: name the result, as in multiply<q16_16>(a, b)")
 FIXED_REFUSED_OPERATOR(/, "formats do not mix: name the result, as in divide<q16_16>(a, b)")
-FIXED_REFUSED_OPERATOR(%, "formats do not mix: convert one, as in a % q16_16(b)")
-FIXED_REFUSED_OPERATOR(==, "formats do not compare: convert one, as in a == q16_16(b)")
-FIXED_REFUSED_OPERATOR(<=>, "formats do not compare: convert one, as in a < q16_16(b)")
+FIXED_REFUSED_OPERATOR(
+    %, "formats do not mix: convert to one that has both, as in q48_16(a) % q48_16(b)")
+FIXED_REFUSED_OPERATOR(
+    ==, "formats do not compare: convert to one that has both, as in q48_16(a) == q48_16(b)")
+FIXED_REFUSED_OPERATOR(
+    <=>, "formats do not compare: convert to one that has both, as in q48_16(a) < q48_16(b)")
 #undef FIXED_REFUSED_OPERATOR
 
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): likewise
@@ -56,7 +86,8 @@ number<Raw, Point, Rules> operator~(number<Raw, Point, Rules>)
     FIXED_INSTEAD("bits are those of the stored integer: from_raw(~x.raw())");
 
 template <detail::integer Int, class Raw, int Point, policy Rules>
-number<Raw, Point, Rules> operator/(Int, number<Raw, Point, Rules>)
+requires(!Rules.moving) number<Raw, Point, Rules>
+operator/(Int, number<Raw, Point, Rules>)
     FIXED_INSTEAD("an integer cannot be divided by a number: write q16_16(1) / x");
 
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): likewise

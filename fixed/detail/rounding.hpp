@@ -16,7 +16,7 @@ namespace fixproof::detail {
 template <rounding Rounding>
 inline constexpr bool is_to_nearest =
     Rounding == rounding::half_up || Rounding == rounding::half_away ||
-    Rounding == rounding::half_even;
+    Rounding == rounding::half_even || Rounding == rounding::nearest;
 
 template <class Int>
 constexpr bool is_odd(const Int& x) noexcept {

@@ -1,5 +1,5 @@
 /// @file
-/// The integer nearest to a square root in another unit.
+/// Square roots in another unit.
 #pragma once
 
 #include <cstdint>
@@ -21,18 +21,18 @@ constexpr Wide nearest_sqrt_below(const Wide& n) noexcept {
   }
 }
 
-/// The integer nearest to sqrt(n 2^Shift), ties by rule Rounding, for 0 <= n < 2^Bits.
+/// sqrt(n 2^Shift) by rule Rounding, for 0 <= n < 2^Bits.
 ///
 /// A left shift leaves an integer, whose root is no tie (see nearest_sqrt_in_words()). A right
 /// shift is two places shorter, so that the root is in halves of the unit. It is rounded down. If
 /// it is odd, the exact root is a half or more above the unit below. It is the half itself only if
 /// the square of the rounded root has all bits of n.
-/// @pre Rounding rounds to nearest; Wide has max(Shift, 1) + 3 bits more than n, and a sign
+/// @pre Wide has max(Shift, 1) + 3 bits more than n, and a sign
 template <rounding Rounding, int Shift, int Bits, class Wide>
-constexpr Wide nearest_scaled_sqrt(const Wide& n) noexcept {
-  static_assert(is_to_nearest<Rounding>);
+constexpr Wide rounded_scaled_sqrt(const Wide& n) noexcept {
   if constexpr (Shift >= 0) {
-    return nearest_sqrt_below<Bits + Shift>(n << Shift);
+    const Wide scaled = n << Shift;
+    return rounded_root<Rounding>(nearest_sqrt_below<Bits + Shift>(scaled), scaled);
   } else {
     constexpr int up = Shift == -1 ? 1 : 0;
     constexpr int down = larger(-Shift - 2, 0);
@@ -41,9 +41,13 @@ constexpr Wide nearest_scaled_sqrt(const Wide& n) noexcept {
     const Wide square = nearest * nearest;
     const Wide halves = quarters < square ? nearest - Wide{1} : nearest;
     const Wide floor = halves >> 1;
-    const bool is_tie = square == quarters && quarters << down == n << up;
-    const bool goes_up = !is_tie || Rounding != rounding::half_even || is_odd(floor);
-    return floor + Wide{is_odd(halves) && goes_up};
+    const bool is_exact = square == quarters && quarters << down == n << up;
+    if constexpr (is_to_nearest<Rounding>) {
+      const bool goes_up = !is_exact || Rounding != rounding::half_even || is_odd(floor);
+      return floor + Wide{is_odd(halves) && goes_up};
+    } else {
+      return floor + Wide{Rounding == rounding::ceiling && (!is_exact || is_odd(halves))};
+    }
   }
 }
 

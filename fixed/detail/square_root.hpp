@@ -1,5 +1,5 @@
 /// @file
-/// The integer nearest to a square root.
+/// The integer nearest to a square root, and bounds of the root.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,9 @@
 #include <type_traits>
 
 #include "fixed/detail/hardware.hpp"
+#include "fixed/detail/rounding.hpp"
 #include "fixed/detail/wide_integer.hpp"
+#include "fixed/policy.hpp"
 
 namespace fixproof::detail {
 
@@ -85,6 +87,30 @@ constexpr std::int64_t nearest_sqrt_of_word(std::uint64_t n) noexcept {
   return static_cast<std::int64_t>(nearest_sqrt_by_pairs<32>(n));
 }
 
+/// sqrt(n) by rule Rounding, from the integer nearest to it.
+template <rounding Rounding, class Wide>
+constexpr Wide rounded_root(const Wide& nearest, const Wide& n) noexcept {
+  if constexpr (is_to_nearest<Rounding>) {
+    return nearest;
+  } else {
+    const Wide square = nearest * nearest;
+    const bool is_up = Rounding == rounding::ceiling;
+    return nearest + Wide{is_up && square < n} - Wide{!is_up && n < square};
+  }
+}
+
+/// sqrt(n) by rule Rounding.
+template <rounding Rounding>
+constexpr auto rounded_sqrt_of_word(std::uint64_t n) noexcept {
+  const std::int64_t nearest = nearest_sqrt_of_word(n);
+  if constexpr (is_to_nearest<Rounding>) {
+    return nearest;
+  } else {
+    // The square of the nearest integer can be 2^64.
+    return rounded_root<Rounding>(int128{nearest}, int128{n});
+  }
+}
+
 /// Whether nearest_root() takes a hardware root without a correction.
 template <class Raw, int FractionBits>
 inline constexpr bool has_fast_root = std::numeric_limits<Raw>::digits + FractionBits < 48 &&
@@ -125,6 +151,18 @@ constexpr auto nearest_root(Raw raw) noexcept {
     constexpr int bits = std::numeric_limits<Raw>::digits + FractionBits;
     using wide = signed_t<bits + 3>;
     return nearest_sqrt_by_pairs<(bits + 1) / 2>(wide{raw} << FractionBits);
+  }
+}
+
+/// The stored integer of the root of a stored integer, by rule Rounding. @pre raw >= 0
+template <rounding Rounding, int FractionBits, class Raw>
+constexpr auto stored_root(Raw raw) noexcept {
+  const auto nearest = nearest_root<FractionBits>(raw);
+  if constexpr (is_to_nearest<Rounding>) {
+    return nearest;
+  } else {
+    using wide = signed_t<larger(65, std::numeric_limits<Raw>::digits + FractionBits + 3)>;
+    return rounded_root<Rounding>(wide{nearest}, wide{raw} << FractionBits);
   }
 }
 

@@ -141,8 +141,9 @@ std::string text_of_operands(const cases::Variant& variant, std::span<const std:
   if (variant.operation == cases::Operation::xformvec) {
     return cases::hex_words(words, variant.format.word_bits);
   }
-  return fmt::format("{} ({})", cases::hex_words(words, cases::operand_bits(variant)),
-                     cases::decimal_words(variant, words));
+  std::string text;
+  cases::append_operands(text, variant, words);
+  return fmt::format("{} ({})", text, cases::decimal_words(variant, words));
 }
 
 void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& verdict,

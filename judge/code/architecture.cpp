@@ -29,6 +29,79 @@ constexpr std::uint64_t riscv_floating_point = 0x6000;
 constexpr std::uint64_t mips_floating_point = 0x2000'0000;
 /// Compilers trap a divisor of 0: the instruction itself has no exception.
 constexpr int mips_trap = 22;
+constexpr std::array riscv_scratch{Scratch{UC_RISCV_REG_F0, 8}, Scratch{UC_RISCV_REG_F10, 8},
+                                   Scratch{UC_RISCV_REG_F28, 4}, Scratch{}};
+/// D and DR; DLR, DLGR, DSGR and DSGFR; DL, DLG, DSG and DSGF. Each divides a pair of registers
+/// that begins in an even one. All program interruptions have one number in Unicorn.
+constexpr std::array<Pattern, 8> s390x_divides{Pattern{0x10BF, 0x1D},
+                                               {0x1000'EFFF, 0x87B9},
+                                               {0x1000'EFFF, 0x0DB9},
+                                               {0xEF00'0000'10FF, 0x8700'0000'00E3},
+                                               {0xEF00'0000'10FF, 0x0D00'0000'00E3}};
+/// Addresses of 64 bits; otherwise Unicorn takes 24 bits of them.
+constexpr std::uint64_t s390x_addresses = 0x1'8000'0000;
+/// avr2 to avr51 but avr6: those that have more than 128 KiB of code are other rows, and neither
+/// XMEGA nor the smallest have this convention or memory.
+constexpr std::array<unsigned, 8> avr_kinds{2, 25, 3, 31, 35, 4, 5, 51};
+
+constexpr Architecture mips(bool is_big_endian) {
+  return {.name = is_big_endian ? "MIPS, big-endian" : "MIPS",
+          .machine = EM_MIPS,
+          .is_64 = false,
+          .is_big_endian = is_big_endian,
+          .word_bits = 32,
+          .pointer_bits = 32,
+          .emulator = UC_ARCH_MIPS,
+          .mode = is_big_endian ? UC_MODE_MIPS32 | UC_MODE_BIG_ENDIAN : UC_MODE_MIPS32,
+          .runs = {RegisterRun{mips_names, UC_MIPS_REG_1}},
+          .program_counter = UC_MIPS_REG_PC,
+          .settings = {Setting{UC_MIPS_REG_CP0_STATUS, mips_floating_point}},
+          .scratch = {Scratch{UC_MIPS_REG_HI, 2}},
+          .divide_errors = {mips_trap, -1},
+          .system_calls = {17, -1},
+          .bad_instructions = {20, -1},
+          .stack_pointer = "sp",
+          .link = "ra",
+          .callee = "t9",
+          .arguments = "a0 a1 a2 a3",
+          .results = "v0 v1",
+          .kept = mips_kept,
+          .bases = {BaseRegister{"gp", "_gp"}},
+          .has_even_pairs = true,
+          .first_on_stack = 16,
+          .toolchains = {is_big_endian ? "mips-linux-gnu" : "mipsel-linux-gnu"},
+          .package = is_big_endian ? "gcc-mips-linux-gnu" : "gcc-mipsel-linux-gnu"};
+}
+
+/// An AVR whose return addresses have two or three bytes.
+constexpr Architecture avr(bool is_large) {
+  return {.name = is_large ? "AVR with over 128 KiB" : "AVR",
+          .machine = EM_AVR,
+          .is_64 = false,
+          .is_big_endian = false,
+          .kinds = is_large ? std::array<unsigned, 8>{6} : avr_kinds,
+          .kind_bits = 0x7F,
+          .word_bits = 8,
+          .pointer_bits = 16,
+          .data = {.first = 0x80'0000,
+                   .variables = 0x80'0200,
+                   .code_end = is_large ? 0x80'0000U : 0x2'0000U},
+          .is_on_simavr = true,
+          .runs = {RegisterRun{"r0 r1 r2 r3 r4 r5 r6 r7 r8 r9 r10 r11 r12 r13 r14 r15 r16 r17 r18 "
+                               "r19 r20 r21 r22 r23 r24 r25 r26 r27 r28 r29 r30 r31 sp",
+                               0}},
+          .stack_pointer = "sp",
+          .pushed = {.above = 1, .bytes = is_large ? 3 : 2, .unit = 2},
+          .arguments = "r25 r24 r23 r22 r21 r20 r19 r18 r17 r16 r15 r14 r13 r12 r11 r10 r9 r8",
+          .results = "r25 r24 r23 r22 r21 r20 r19 r18",
+          .kept = "r1 r2 r3 r4 r5 r6 r7 r8 r9 r10 r11 r12 r13 r14 r15 r16 r17 r28 r29",
+          .zero = "r1",
+          .has_falling_numbers = true,
+          .first_on_stack = is_large ? 4U : 3U,
+          .toolchains = {"avr"},
+          .package = "gcc-avr",
+          .linked_as = "avr"};
+}
 
 constexpr std::array architectures{
     Architecture{
@@ -36,6 +109,8 @@ constexpr std::array architectures{
         .machine = EM_ARM,
         .is_64 = false,
         .is_big_endian = false,
+        .word_bits = 32,
+        .pointer_bits = 32,
         .emulator = UC_ARCH_ARM,
         .mode = UC_MODE_ARM,
         .model = UC_CPU_ARM_MAX,
@@ -44,6 +119,9 @@ constexpr std::array architectures{
                  {"lr", UC_ARM_REG_LR}},
         .program_counter = UC_ARM_REG_PC,
         .settings = {Setting{UC_ARM_REG_C1_C0_2, 0xF0'0000}, {UC_ARM_REG_FPEXC, 0x4000'0000}},
+        .scratch = {Scratch{UC_ARM_REG_CPSR, 1, 0xF80F'0000},
+                    {UC_ARM_REG_D0, 8},
+                    {UC_ARM_REG_D16, 16}},
         .system_calls = {2, -1},
         .has_marked_entries = true,
         .stack_pointer = "sp",
@@ -59,6 +137,8 @@ constexpr std::array architectures{
                  .machine = EM_AARCH64,
                  .is_64 = true,
                  .is_big_endian = false,
+                 .word_bits = 64,
+                 .pointer_bits = 64,
                  .emulator = UC_ARCH_ARM64,
                  .mode = UC_MODE_ARM,
                  .runs = {RegisterRun{"x0 x1 x2 x3 x4 x5 x6 x7 x8 x9 x10 x11 x12 x13 x14 x15 x16 "
@@ -68,7 +148,11 @@ constexpr std::array architectures{
                           {"sp", UC_ARM64_REG_SP}},
                  .program_counter = UC_ARM64_REG_PC,
                  .settings = {Setting{UC_ARM64_REG_CPACR_EL1, 0x30'0000}},
+                 .scratch = {Scratch{UC_ARM64_REG_NZCV, 1, 0xF000'0000},
+                             {UC_ARM64_REG_D0, 8},
+                             {UC_ARM64_REG_D16, 16}},
                  .system_calls = {2, -1},
+                 .bad_instructions = {1, -1},
                  .stack_pointer = "sp",
                  .link = "x30",
                  .arguments = "x0 x1 x2 x3 x4 x5 x6 x7",
@@ -83,12 +167,16 @@ constexpr std::array architectures{
                  .machine = EM_RISCV,
                  .is_64 = false,
                  .is_big_endian = false,
+                 .word_bits = 32,
+                 .pointer_bits = 32,
                  .emulator = UC_ARCH_RISCV,
                  .mode = UC_MODE_RISCV32,
                  .runs = {RegisterRun{riscv_names, UC_RISCV_REG_X1}},
                  .program_counter = UC_RISCV_REG_PC,
                  .settings = {Setting{UC_RISCV_REG_MSTATUS, riscv_floating_point}},
+                 .scratch = riscv_scratch,
                  .system_calls = {8, 11},
+                 .bad_instructions = {2, -1},
                  .stack_pointer = "sp",
                  .link = "ra",
                  .arguments = "a0 a1 a2 a3 a4 a5 a6 a7",
@@ -103,12 +191,16 @@ constexpr std::array architectures{
                  .machine = EM_RISCV,
                  .is_64 = true,
                  .is_big_endian = false,
+                 .word_bits = 64,
+                 .pointer_bits = 64,
                  .emulator = UC_ARCH_RISCV,
                  .mode = UC_MODE_RISCV64,
                  .runs = {RegisterRun{riscv_names, UC_RISCV_REG_X1}},
                  .program_counter = UC_RISCV_REG_PC,
                  .settings = {Setting{UC_RISCV_REG_MSTATUS, riscv_floating_point}},
+                 .scratch = riscv_scratch,
                  .system_calls = {8, 11},
+                 .bad_instructions = {2, -1},
                  .stack_pointer = "sp",
                  .link = "ra",
                  .arguments = "a0 a1 a2 a3 a4 a5 a6 a7",
@@ -120,59 +212,24 @@ constexpr std::array architectures{
                  .package = "gcc-riscv64-linux-gnu",
                  .linked_as = "elf64lriscv",
                  .relocations = {R_RISCV_RELATIVE, R_RISCV_64, R_RISCV_64, R_RISCV_JUMP_SLOT}},
-    Architecture{.name = "MIPS, big-endian",
-                 .machine = EM_MIPS,
-                 .is_64 = false,
-                 .is_big_endian = true,
-                 .emulator = UC_ARCH_MIPS,
-                 .mode = UC_MODE_MIPS32 | UC_MODE_BIG_ENDIAN,
-                 .runs = {RegisterRun{mips_names, UC_MIPS_REG_1}},
-                 .program_counter = UC_MIPS_REG_PC,
-                 .settings = {Setting{UC_MIPS_REG_CP0_STATUS, mips_floating_point}},
-                 .divide_errors = {mips_trap, -1},
-                 .stack_pointer = "sp",
-                 .link = "ra",
-                 .callee = "t9",
-                 .arguments = "a0 a1 a2 a3",
-                 .results = "v0 v1",
-                 .kept = mips_kept,
-                 .bases = {BaseRegister{"gp", "_gp"}},
-                 .has_even_pairs = true,
-                 .first_on_stack = 16,
-                 .toolchains = {"mips-linux-gnu"},
-                 .package = "gcc-mips-linux-gnu"},
-    Architecture{.name = "MIPS",
-                 .machine = EM_MIPS,
-                 .is_64 = false,
-                 .is_big_endian = false,
-                 .emulator = UC_ARCH_MIPS,
-                 .mode = UC_MODE_MIPS32,
-                 .runs = {RegisterRun{mips_names, UC_MIPS_REG_1}},
-                 .program_counter = UC_MIPS_REG_PC,
-                 .settings = {Setting{UC_MIPS_REG_CP0_STATUS, mips_floating_point}},
-                 .divide_errors = {mips_trap, -1},
-                 .stack_pointer = "sp",
-                 .link = "ra",
-                 .callee = "t9",
-                 .arguments = "a0 a1 a2 a3",
-                 .results = "v0 v1",
-                 .kept = mips_kept,
-                 .bases = {BaseRegister{"gp", "_gp"}},
-                 .has_even_pairs = true,
-                 .first_on_stack = 16,
-                 .toolchains = {"mipsel-linux-gnu"},
-                 .package = "gcc-mipsel-linux-gnu"},
+    mips(true),
+    mips(false),
     Architecture{.name = "68000",
                  .machine = EM_68K,
                  .is_64 = false,
                  .is_big_endian = true,
+                 .word_bits = 32,
+                 .pointer_bits = 32,
                  .emulator = UC_ARCH_M68K,
                  .mode = UC_MODE_BIG_ENDIAN,
                  .model = UC_CPU_M68K_M68020,
                  .runs = {RegisterRun{"d0 d1 d2 d3 d4 d5 d6 d7", UC_M68K_REG_D0},
                           {"a0 a1 a2 a3 a4 a5 a6 sp", UC_M68K_REG_A0}},
                  .program_counter = UC_M68K_REG_PC,
+                 .scratch = {Scratch{UC_M68K_REG_SR, 1, 0x1F}},
                  .divide_errors = {5, -1},
+                 .system_calls = {32, -1},
+                 .bad_instructions = {4, 10},
                  .stack_pointer = "sp",
                  .results = "d0 d1",
                  .kept = "d2 d3 d4 d5 d6 d7 a2 a3 a4 a5 a6",
@@ -184,6 +241,8 @@ constexpr std::array architectures{
                  .machine = EM_PPC,
                  .is_64 = false,
                  .is_big_endian = true,
+                 .word_bits = 32,
+                 .pointer_bits = 32,
                  .emulator = UC_ARCH_PPC,
                  .mode = UC_MODE_PPC32 | UC_MODE_BIG_ENDIAN,
                  .runs = {RegisterRun{"r0 r1 r2 r3 r4 r5 r6 r7 r8 r9 r10 r11 r12 r13 r14 r15 r16 "
@@ -192,6 +251,12 @@ constexpr std::array architectures{
                           {"lr", UC_PPC_REG_LR}},
                  .program_counter = UC_PPC_REG_PC,
                  .settings = {Setting{UC_PPC_REG_MSR, 0x2000}},
+                 .scratch = {Scratch{UC_PPC_REG_CR, 1, 0xFF00'0FFF},
+                             {UC_PPC_REG_XER, 1, 0xE000'0000},
+                             {UC_PPC_REG_CTR, 1},
+                             {UC_PPC_REG_FPR0, 14}},
+                 .system_calls = {8, -1},
+                 .bad_instructions = {96, -1},
                  .stack_pointer = "r1",
                  .link = "lr",
                  .arguments = "r3 r4 r5 r6 r7 r8 r9 r10",
@@ -208,11 +273,22 @@ constexpr std::array architectures{
                  .machine = EM_S390,
                  .is_64 = true,
                  .is_big_endian = true,
+                 .word_bits = 64,
+                 .pointer_bits = 64,
                  .emulator = UC_ARCH_S390X,
                  .mode = UC_MODE_BIG_ENDIAN,
                  .runs = {RegisterRun{"r0 r1 r2 r3 r4 r5 r6 r7 r8 r9 r10 r11 r12 r13 r14 r15",
                                       UC_S390X_REG_R0}},
                  .program_counter = UC_S390X_REG_PC,
+                 .settings = {Setting{UC_S390X_REG_PSWM, s390x_addresses}},
+                 // LCTLG 0,0,0(1), and the bit that allows floating point.
+                 .first_code = {.code = std::string_view("\xEB\0\x10\0\0\x2F", 6),
+                                .base = "r1",
+                                .value = 0x4'0000},
+                 .scratch = {Scratch{UC_S390X_REG_PSWM, 1, std::uint64_t{3} << 44U}},
+                 .divide_errors = {3, -1},
+                 .system_calls = {2, -1},
+                 .divides = s390x_divides,
                  .stack_pointer = "r15",
                  .link = "r14",
                  .arguments = "r2 r3 r4 r5 r6",
@@ -222,7 +298,21 @@ constexpr std::array architectures{
                  .toolchains = {"s390x-linux-gnu"},
                  .package = "gcc-s390x-linux-gnu",
                  .relocations = {R_390_RELATIVE, R_390_64, R_390_GLOB_DAT, R_390_JMP_SLOT}},
+    avr(false),
+    avr(true),
 };
+
+bool is_big_endian(std::string_view elf) { return elf[EI_DATA] == ELFDATA2MSB; }
+
+/// Reads a number of the header of an ELF file.
+unsigned header_number(std::string_view elf, std::size_t at, std::size_t bytes) {
+  unsigned value = 0;
+  for (std::size_t i = 0; i < bytes; ++i) {
+    const std::size_t place = is_big_endian(elf) ? at + i : at + bytes - 1 - i;
+    value = value << 8U | static_cast<unsigned char>(elf[place]);
+  }
+  return value;
+}
 
 }  // namespace
 
@@ -248,18 +338,26 @@ std::vector<std::size_t> RegisterFile::all(std::string_view list) const {
   return found;
 }
 
+unsigned kind_of_elf(const Architecture& architecture, std::string_view bytes) {
+  const std::size_t place_of_flags = architecture.is_64 ? 48 : 36;
+  if (bytes.size() < place_of_flags + 4) return 0;
+  return header_number(bytes, place_of_flags, 4) & architecture.kind_bits;
+}
+
 const Architecture* architecture_of_elf(std::string_view bytes) {
-  constexpr std::size_t place_of_machine = 18;  // of two bytes, in files of both classes
+  constexpr std::size_t place_of_machine = 18;  // in files of both classes
   if (bytes.size() < place_of_machine + 2 || !bytes.starts_with("\177ELF")) return nullptr;
   const bool is_64 = bytes[EI_CLASS] == ELFCLASS64;
-  const bool is_big_endian = bytes[EI_DATA] == ELFDATA2MSB;
-  const auto low = static_cast<unsigned char>(bytes[place_of_machine + (is_big_endian ? 1 : 0)]);
-  const auto high = static_cast<unsigned char>(bytes[place_of_machine + (is_big_endian ? 0 : 1)]);
-  const unsigned machine = high * 256U + low;
+  const unsigned machine = header_number(bytes, place_of_machine, 2);
   const auto* const found = std::ranges::find_if(architectures, [&](const Architecture& a) {
-    return a.machine == machine && a.is_64 == is_64 && a.is_big_endian == is_big_endian;
+    return a.machine == machine && a.is_64 == is_64 && a.is_big_endian == is_big_endian(bytes) &&
+           (a.kind_bits == 0 || std::ranges::find(a.kinds, kind_of_elf(a, bytes)) != a.kinds.end());
   });
   return found == architectures.end() ? nullptr : &*found;
+}
+
+std::string_view emulator_of(const Architecture* architecture) {
+  return architecture != nullptr && architecture->is_on_simavr ? "simavr" : "Unicorn";
 }
 
 std::string names_of_architectures() {

@@ -13,11 +13,11 @@ inline void store(std::uint8_t* to, std::uint64_t value, int bytes, bool is_big_
   }
 }
 
-/// Reads a number of at most 4 bytes.
-inline std::uint32_t fetch(const std::uint8_t* from, int bytes, bool is_big_endian = false) {
-  std::uint32_t value = 0;
+/// Reads a number of at most 8 bytes.
+inline std::uint64_t fetch(const std::uint8_t* from, int bytes, bool is_big_endian = false) {
+  std::uint64_t value = 0;
   for (int i = 0; i < bytes; ++i) {
-    value |= std::uint32_t{from[is_big_endian ? bytes - 1 - i : i]} << (8 * i);
+    value |= std::uint64_t{from[is_big_endian ? bytes - 1 - i : i]} << (8 * i);
   }
   return value;
 }

@@ -35,8 +35,8 @@ Call::Call(const Image& image, const Frame& frame, const cases::Variant& variant
     : image_(image),
       frame_(frame),
       variant_(variant),
-      operands_(image, variant),
-      results_(places_of_results(frame, variant.format.word_bits, image.bits)),
+      operands_(image, frame.signature, variant),
+      results_(places_of_results(frame, frame.signature.result_bits, image.bits)),
       code_selector_(code_selector),
       slot_(image.bits / 8) {
   std::uint32_t bytes = 0;
@@ -116,6 +116,7 @@ void Call::leave(const std::uint8_t* memory, const Registers& registers,
   if (frame_.out.empty() && operands_.has_results_behind_pointers()) {
     return operands_.take(memory, words);
   }
+  const std::size_t each = cases::words_per_number(variant_.format);
   std::size_t word = 0;
   for (const Place& place : results_) {
     std::uint64_t value = 0;
@@ -123,10 +124,8 @@ void Call::leave(const std::uint8_t* memory, const Registers& registers,
       const int bits = bits_of(part);
       value = (bits == 64 ? 0 : value << bits) | registers.read(part);
     }
-    const int bits = variant_.format.word_bits;
-    if (bits < 64) value &= (std::uint64_t{1} << bits) - 1;
-    words[word++] = static_cast<std::uint32_t>(value);
-    if (bits > 32) words[word++] = static_cast<std::uint32_t>(value >> 32U);
+    operands_.give(value, words.subspan(word, each));
+    word += each;
   }
 }
 

@@ -17,10 +17,11 @@ namespace fixproof::judge {
 /// The operands and results of one operation as a routine of an image has them.
 class CallOperands {
  public:
-  CallOperands(const Image& image, const cases::Variant& variant);
+  /// The signature must have room: see expect_room().
+  CallOperands(const Image& image, const Signature& signature, const cases::Variant& variant);
 
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
-  /// Returns a number of a case, extended to 64 bits by its signedness.
+  /// Returns what a parameter is in a call, extended to 64 bits by the signedness of the parameter.
   [[nodiscard]] std::uint64_t value(std::size_t parameter,
                                     std::span<const std::uint32_t> words) const;
   /// Returns where the pointer of a parameter points to, as an offset in the data segment.
@@ -32,19 +33,28 @@ class CallOperands {
   /// Reads the results behind pointers.
   void take(const std::uint8_t* memory, std::span<std::uint32_t> words) const;
 
+  /// Puts a result, of which only the integer that stores a word counts, into the words of an
+  /// answer. An integer that stores no word keeps bits above the word.
+  void give(std::uint64_t result, std::span<std::uint32_t> words) const;
+
  private:
   [[nodiscard]] std::size_t index_of(std::size_t parameter, std::size_t number) const;
+  /// Returns an operand of a case, extended to 64 bits by its format.
+  [[nodiscard]] std::uint64_t operand(std::size_t number,
+                                      std::span<const std::uint32_t> words) const;
 
   const Image& image_;
   std::vector<Parameter> parameters_;
-  std::vector<std::size_t> first_words_{};  ///< of each parameter, in the words of a case
+  cases::Variant variant_;
+  std::vector<std::size_t> first_operands_{};  ///< of each parameter, in those of a case
   std::vector<std::uint32_t> places_{};
 };
 
-/// Returns the parameters of a routine that computes an operation: its operands, then its results
-/// behind pointers. A result that is not a parameter is the return value.
-std::vector<Parameter> parameters_of(const cases::Variant& variant);
-/// Returns the bits of the value that such a routine returns; 0 if its results are parameters.
-int bits_of_returned(const cases::Variant& variant);
+/// Returns the signature that a routine has unless its caller says otherwise: operands in the
+/// integers that store them, then results behind pointers if there are several.
+Signature signature_of(const cases::Variant& variant);
+
+/// @throws support::UsageError if there is no room for what the pointers of a signature point to
+void expect_room(const Signature& signature);
 
 }  // namespace fixproof::judge

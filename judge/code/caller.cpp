@@ -32,7 +32,9 @@ class X86Caller final : public Caller {
 }  // namespace
 
 std::unique_ptr<Caller> make_caller(const Subject& subject, On machine, Trace* trace) {
-  if (subject.image.architecture != nullptr) return make_caller_elsewhere(subject, trace);
+  if (subject.image.architecture != nullptr) {
+    return make_caller_elsewhere(subject, make_emulator(subject.image, trace));
+  }
   return std::make_unique<X86Caller>(subject, machine == On::processor
                                                   ? make_processor(subject.image)
                                                   : make_emulator(subject.image, trace));

@@ -45,8 +45,8 @@ class Caller : private boost::noncopyable {
 /// @param trace receives every step of the calls, and must outlive the caller; null for speed
 std::unique_ptr<Caller> make_caller(const Subject& subject, On machine, Trace* trace);
 /// The same for a processor other than x86.
-/// @throws machine_code::EmulatorError
-std::unique_ptr<Caller> make_caller_elsewhere(const Subject& subject, Trace* trace);
+std::unique_ptr<Caller> make_caller_elsewhere(const Subject& subject,
+                                              std::unique_ptr<Machine> machine);
 
 /// Returns the number of general registers of an image's processor.
 std::size_t registers_of(const Image& image);

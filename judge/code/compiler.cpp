@@ -35,10 +35,13 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 /// files that include each other may come before it.
 std::string first_error(const std::string& text) {
   std::istringstream lines(text);
+  std::string other;
   for (std::string line; std::getline(lines, line);) {
     if (line.find("error:") != std::string::npos) return support::printable(line);
+    // The linker's errors have no such mark.
+    if (other.empty() && line.find("warning:") == std::string::npos) other = line;
   }
-  return support::printable(first_line(text));
+  return support::printable(other.empty() ? first_line(text) : other);
 }
 
 std::string variable(const char* name, const char* otherwise) {
@@ -100,13 +103,15 @@ std::optional<std::string> linked(const Toolchain& tools, std::vector<std::strin
   command.insert(command.end(), more.begin(), more.end());
   const proof::Output output = run_tool(command, "", "", files);
   if (output.status == 0) return out.contents(most_bytes);
-  said = support::printable(first_line(output.err));
+  said = first_error(output.err);
   return std::nullopt;
 }
 
 /// Returns the paths of libgcc for each way in which the compiler translates, its default first;
-/// those of Thumb code first if `is_thumb`. With options, only the path for these.
-std::vector<std::string> libraries_of(const std::string& compiler, bool is_thumb,
+/// before it those that have `preferred` parts, the last of them first. With options, only the path
+/// for these.
+std::vector<std::string> libraries_of(const std::string& compiler,
+                                      const std::vector<std::string>& preferred,
                                       const std::vector<std::string>& options = {}) {
   if (!exists(compiler)) return {};
   std::vector<std::string> paths;
@@ -134,13 +139,10 @@ std::vector<std::string> libraries_of(const std::string& compiler, bool is_thumb
     }
     if (!command.empty()) add(command);
   }
-  // A Cortex-M runs Thumb code only, although the linker adds any. All run that of a Cortex-M0.
-  if (is_thumb) {
-    for (const std::string_view part : {"/thumb/", "/v6-m/"}) {
-      std::stable_partition(paths.begin(), paths.end(), [&](const std::string& path) {
-        return path.find(part) != std::string::npos;
-      });
-    }
+  for (const std::string& part : preferred) {
+    std::stable_partition(paths.begin(), paths.end(), [&](const std::string& path) {
+      return path.find(part) != std::string::npos;
+    });
   }
   return paths;
 }
@@ -161,6 +163,22 @@ bool is_thumb(const std::string& object, const Image& image) {
   return true;
 }
 
+/// Returns the linker's emulation for an object.
+std::string linked_as(const Architecture& architecture, const std::string& object) {
+  std::string name(architecture.linked_as);
+  if (architecture.kind_bits == 0) return name;
+  return name + std::to_string(kind_of_elf(architecture, object));
+}
+
+/// Returns the parts of the paths of libraries that fit an object, the best one last.
+std::vector<std::string> preferred_libraries(const std::string& object, const Image& image) {
+  // A Cortex-M runs Thumb code only, although the linker adds any. All run that of a Cortex-M0.
+  if (is_thumb(object, image)) return {"/thumb/", "/v6-m/"};
+  const Architecture& architecture = *image.architecture;
+  if (architecture.kind_bits == 0) return {};
+  return {fmt::format("/{}/", linked_as(architecture, object))};
+}
+
 /// Adds the functions of the first library that has one. The linker skips a library for another
 /// kind of the processor, or refuses it.
 std::optional<std::string> with_library(const Toolchain& tools, const std::string& object,
@@ -176,7 +194,8 @@ std::optional<std::string> with_library(const Toolchain& tools, const std::strin
 }
 
 /// Places all code and data from the first address on, one after the other.
-std::string script_of(const std::map<std::string, std::uint32_t>& missing) {
+/// @param data the memory for data, if it has addresses of its own
+std::string script_of(const std::map<std::string, std::uint32_t>& missing, const DataSpace& data) {
   std::string script;
   for (const auto& [name, address] : missing) {
     const bool is_plain = std::ranges::all_of(name, [](unsigned char c) {
@@ -189,10 +208,11 @@ std::string script_of(const std::map<std::string, std::uint32_t>& missing) {
     script += fmt::format("\"{}\" = 0x{:x};\n", name, address);
   }
   // Compilers reach the data near _gp with 16 bits.
-  return script + fmt::format(R"(SECTIONS {{
+  return script +
+         fmt::format(R"(SECTIONS {{
   . = 0x{:x};
-  .text : {{ *(.text .text.*) }}
-  .rodata : {{ *(.rodata .rodata.*) }}
+  .text : {{ *(.text .text.*) *(.progmem .progmem.*) }}
+{}  .rodata : {{ *(.rodata .rodata.*) }}
   .data : {{ *(.data .data.*) }}
   _gp = ALIGN(16) + 0x7ff0;
   .got : {{ *(.got.plt) *(.got) }}
@@ -201,7 +221,8 @@ std::string script_of(const std::map<std::string, std::uint32_t>& missing) {
   .bss : {{ *(.bss .bss.*) *(COMMON) }}
 }}
 )",
-                              elf::load_address);
+                     elf::load_address,
+                     data.first == 0 ? "" : fmt::format("  . = 0x{:x};\n", data.variables));
 }
 
 /// Addresses that no memory has, and that every call reaches, even one of a Cortex-M0.
@@ -280,7 +301,14 @@ std::string compiled_source(const std::string& path) {
   }
   const std::string name = path.starts_with('-') ? "./" + path : path;
   command.insert(command.end(), {"-c", "-o", object, name});
-  run_compiler(command, "", most_time);
+  try {
+    run_compiler(command, "", most_time);
+  } catch (const UsageError& error) {
+    const std::string said = error.what();
+    if (said.find("stdint.h:") == std::string::npos) throw;
+    throw UsageError(fmt::format(
+        "{}; add -ffreestanding to the flags, or install the toolchain's C library", said));
+  }
   return support::read_bounded(object, most_bytes);
 }
 
@@ -290,16 +318,18 @@ std::string linked_object(Image& image, const std::string& object) {
   for (const std::string_view name : architecture.toolchains) {
     const Toolchain tools{.linker = fmt::format("{}-ld", name),
                           .compiler = fmt::format("{}-gcc", name),
-                          .linked_as = std::string(architecture.linked_as)};
+                          .linked_as = linked_as(architecture, object)};
     if (name.empty() || !exists(tools.linker)) continue;
     std::string whole = object;
     if (needs_library(names_in(object, image, Names::missing))) {
-      whole =
-          with_library(tools, object, libraries_of(tools.compiler, is_thumb(object, image)), image)
-              .value_or(object);
+      whole = with_library(tools, object,
+                           libraries_of(tools.compiler, preferred_libraries(object, image)), image)
+                  .value_or(object);
     }
-    const auto missing = places_of_missing(image, names_in(whole, image, Names::missing));
-    const ToolFile script(script_of(missing));
+    auto names = names_in(whole, image, Names::missing);
+    names.erase("_GLOBAL_OFFSET_TABLE_");  // the linker makes it
+    const auto missing = places_of_missing(image, names);
+    const ToolFile script(script_of(missing, architecture.data));
     if (const auto file = linked(tools, {"-e", "0", "--no-warn-mismatch"}, whole, &script, said)) {
       return *file;
     }
@@ -319,7 +349,7 @@ std::string with_library_functions(const std::string& object, int bits) {
   const Toolchain tools{
       .linker = "ld", .compiler = "gcc", .linked_as = bits == 64 ? "elf_x86_64" : "elf_i386"};
   if (!exists(tools.linker)) return object;
-  const auto libraries = libraries_of(tools.compiler, false, {bits == 64 ? "-m64" : "-m32"});
+  const auto libraries = libraries_of(tools.compiler, {}, {bits == 64 ? "-m64" : "-m32"});
   return with_library(tools, object, libraries, image).value_or(object);
 }
 

@@ -20,33 +20,35 @@ std::uint64_t mask_of(const std::vector<std::size_t>& registers) {
   return mask;
 }
 
-int words_of(const Parameter& p, int word_bits) {
-  return p.is_pointer ? 1 : (p.bits + word_bits - 1) / word_bits;
-}
-
-/// The parts arrive in the order of memory or of registers: a big-endian processor has the highest
-/// bits first.
-void order(const Architecture& architecture, std::vector<Part>& parts) {
-  if (architecture.is_big_endian) std::ranges::reverse(parts);
+int bits_of(const Parameter& p, const Architecture& architecture) {
+  return p.is_pointer ? architecture.pointer_bits : p.bits;
 }
 
 /// Gives out registers, then bytes on the stack.
 class Places {
  public:
-  explicit Places(const Architecture& architecture)
+  /// @param registers their names
+  Places(const Architecture& architecture, std::string_view registers)
       : architecture_(architecture),
-        registers_(RegisterFile(architecture).all(architecture.arguments)),
+        registers_(RegisterFile(architecture).all(registers)),
         stack_(architecture.first_on_stack) {}
 
   Passing next(const Parameter& p) {
-    const int words = words_of(p, architecture_.word_bits());
+    const int word = architecture_.word_bits;
+    const auto words = static_cast<std::size_t>((bits_of(p, architecture_) + word - 1) / word);
     const bool is_pair = words == 2 && architecture_.has_even_pairs;
-    if (is_pair) used_ += used_ % 2;
-    // A pair is not divided between registers and the stack, except where it may begin anywhere.
-    if (is_pair && used_ + 2 > registers_.size()) used_ = registers_.size();
+    if (is_pair || architecture_.has_falling_numbers) {
+      used_ += (used_ + words) % 2;
+      // Such a number is not divided between registers and the stack.
+      if (used_ + words > registers_.size()) used_ = registers_.size();
+    }
+    const bool is_in_registers = used_ < registers_.size();
     Passing passing{.parts = {}, .is_pointer = p.is_pointer};
-    for (int i = 0; i < words; ++i) passing.parts.push_back(next_part(is_pair && i == 0));
-    order(architecture_, passing.parts);
+    for (std::size_t i = 0; i < words; ++i) passing.parts.push_back(next_part(is_pair && i == 0));
+    // The parts are in the order of memory or of registers so far.
+    if (architecture_.is_big_endian || (architecture_.has_falling_numbers && is_in_registers)) {
+      std::ranges::reverse(passing.parts);
+    }
     return passing;
   }
   [[nodiscard]] std::uint32_t stack() const { return stack_; }
@@ -54,7 +56,7 @@ class Places {
  private:
   Part next_part(bool is_aligned) {
     if (used_ < registers_.size()) return {true, registers_[used_++]};
-    const auto bytes = static_cast<std::uint32_t>(architecture_.word_bits() / 8);
+    const auto bytes = static_cast<std::uint32_t>(architecture_.word_bits / 8);
     if (is_aligned) stack_ += (stack_ - architecture_.first_on_stack) % (2 * bytes);
     const Part part{false, stack_};
     stack_ += bytes;
@@ -97,11 +99,13 @@ class Named {
     if (text.is_pointer != p.is_pointer) {
       throw UsageError("--frame: write the registers of pointers, and no others, like [r0]");
     }
-    const auto bits = static_cast<int>(passing.parts.size()) * architecture_.word_bits();
-    if (!text.is_pointer && bits < p.bits) {
-      throw UsageError(fmt::format(
-          "--frame: a place has {} bits, and a number has {}; write a pair, the upper half first",
-          bits, p.bits));
+    const auto bits = static_cast<int>(passing.parts.size()) * architecture_.word_bits;
+    if (bits < bits_of(p, architecture_)) {
+      throw UsageError(
+          fmt::format("--frame: a place has {} bits, and a {} has {}; write several registers like "
+                      "{}:{}, the highest first",
+                      bits, p.is_pointer ? "pointer" : "number", bits_of(p, architecture_),
+                      file_.names[1], file_.names[0]));
     }
     return passing;
   }
@@ -123,20 +127,15 @@ Convention convention_of_c(const Architecture& architecture, std::span<const Par
                            int result_bits) {
   const RegisterFile file(architecture);
   Convention convention{.kept = mask_of(file.all(architecture.kept))};
-  Places places(architecture);
+  Places places(architecture, architecture.arguments);
   for (const Parameter& p : parameters) convention.in.push_back(places.next(p));
   convention.stack_bytes = places.stack();
   if (result_bits == 0) return convention;
-  const auto results = file.all(architecture.results);
-  const auto words =
-      static_cast<std::size_t>(words_of({.bits = result_bits}, architecture.word_bits()));
-  if (words > results.size()) {
+  Passing out = Places(architecture, architecture.results).next({.bits = result_bits});
+  if (!std::ranges::all_of(out.parts, &Part::is_register)) {
     throw UsageError(
         fmt::format("--frame c: {} returns no number of {} bits", architecture.name, result_bits));
   }
-  Passing out;
-  for (std::size_t i = 0; i < words; ++i) out.parts.push_back({true, results[i]});
-  order(architecture, out.parts);
   convention.out.push_back(std::move(out));
   return convention;
 }

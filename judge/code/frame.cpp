@@ -6,6 +6,7 @@
 #include <array>
 #include <numeric>
 
+#include "judge/code/c_types.hpp"
 #include "judge/code/call_operands.hpp"
 #include "support/plain_text.hpp"
 #include "support/split.hpp"
@@ -81,7 +82,7 @@ std::vector<RegisterName> kept_by_convention(int bits) {
           {Register::bx, Size::dword}};
 }
 
-PlaceText place_text(std::string_view text) {
+PlaceText place_text(std::string_view text, std::size_t most_parts, std::size_t of_pointer) {
   PlaceText place;
   std::string_view inner = text;
   if (text.starts_with('[') && text.ends_with(']')) {
@@ -89,8 +90,7 @@ PlaceText place_text(std::string_view text) {
     inner = trimmed(text.substr(1, text.size() - 2));
   }
   place.parts = split(inner, ':');
-  if (place.parts.empty() || place.parts.size() > 2 ||
-      (place.is_pointer && place.parts.size() > 1)) {
+  if (place.parts.empty() || place.parts.size() > (place.is_pointer ? of_pointer : most_parts)) {
     throw UsageError(fmt::format(
         "--frame: {} is not a place; write a register, a pair like dx:ax or a pointer like [si]",
         support::quoted(inner)));
@@ -100,7 +100,8 @@ PlaceText place_text(std::string_view text) {
 
 }  // namespace
 
-std::optional<FrameText> frame_text(std::string_view text) {
+std::optional<FrameText> frame_text(std::string_view text, std::size_t most_parts,
+                                    std::size_t of_pointer) {
   const std::size_t arrow = text.find("->");
   if (arrow == std::string_view::npos) return std::nullopt;
   FrameText parts;
@@ -110,38 +111,32 @@ std::optional<FrameText> frame_text(std::string_view text) {
     parts.kept = split(results.substr(keeps + word.size()), ',');
     results = results.substr(0, keeps);
   }
-  for (const auto part : split(text.substr(0, arrow), ',')) parts.in.push_back(place_text(part));
-  for (const auto part : split(results, ',')) parts.out.push_back(place_text(part));
+  const auto add = [&](std::string_view places, std::vector<PlaceText>& to) {
+    for (const auto part : split(places, ',')) {
+      to.push_back(place_text(part, most_parts, of_pointer));
+    }
+  };
+  add(text.substr(0, arrow), parts.in);
+  add(results, parts.out);
   return parts;
 }
 
-namespace {
-
-/// The conventions of 64-bit code.
-Frame frame_of_64_bits(std::string_view text, const cases::Variant& variant) {
-  const bool is_windows = text == "ms";
-  if (!is_windows && text != "c" && text != "sysv") {
-    throw UsageError(
-        fmt::format("--frame {}: choose sysv or ms for 64-bit code, or name registers, such as "
-                    "'edi, esi -> eax'",
-                    support::quoted(text)));
+Frame convention_of_64_bits(bool is_windows, const Signature& signature) {
+  constexpr std::array<unsigned, 6> system_v{7, 6, 2, 1, 8, 9};  // RDI, RSI, RDX, RCX, R8, R9
+  constexpr std::array<unsigned, 4> windows{1, 2, 8, 9};         // RCX, RDX, R8, R9
+  Frame frame{.text = is_windows ? "ms" : "sysv", .on_stack = false, .signature = signature};
+  const std::span<const unsigned> numbers =
+      is_windows ? std::span<const unsigned>(windows) : std::span<const unsigned>(system_v);
+  if (signature.operands.size() > numbers.size()) {
+    throw UsageError(fmt::format("--frame {}: there are registers for {} parameters, not for {}",
+                                 frame.text, numbers.size(), signature.operands.size()));
   }
-  return convention_of_64_bits(is_windows, parameters_of(variant), bits_of_returned(variant));
-}
-
-}  // namespace
-
-Frame convention_of_64_bits(bool is_windows, std::span<const Parameter> parameters,
-                            int result_bits) {
-  constexpr std::array<unsigned, 4> system_v{7, 6, 2, 1};  // RDI, RSI, RDX, RCX
-  constexpr std::array<unsigned, 4> windows{1, 2, 8, 9};   // RCX, RDX, R8, R9
-  Frame frame{.text = is_windows ? "ms" : "sysv", .on_stack = false};
-  const auto numbers = is_windows ? windows : system_v;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const Parameter& p = parameters[i];
+  for (std::size_t i = 0; i < signature.operands.size(); ++i) {
+    const Parameter& p = signature.operands[i];
     const int bits = p.is_pointer || p.bits > 32 ? 64 : 32;
-    frame.in.push_back({{whole_register(numbers.at(i), bits)}, p.is_pointer});
+    frame.in.push_back({{whole_register(numbers[i], bits)}, p.is_pointer});
   }
+  const int result_bits = signature.result_bits;
   if (result_bits > 0) frame.out.push_back({{whole_register(0, result_bits > 32 ? 64 : 32)}});
   std::vector<unsigned> kept{3, 5, 12, 13, 14, 15};  // RBX, RBP, R12 to R15
   if (is_windows) kept.insert(kept.end(), {6, 7});
@@ -149,10 +144,21 @@ Frame convention_of_64_bits(bool is_windows, std::span<const Parameter> paramete
   return frame;
 }
 
-Frame frame_named(std::string_view text, int bits, const cases::Variant& variant) {
-  if (text.find("->") != std::string_view::npos) return frame_of_registers(text, bits);
-  if (bits == 64) return frame_of_64_bits(text, variant);
-  Frame frame{.text = std::string(text)};
+namespace {
+
+/// Returns a convention of x86 by its name.
+Frame convention_named(std::string_view text, int bits, const Signature& signature) {
+  if (bits == 64) {
+    const bool is_windows = text == "ms";
+    if (is_windows || text == "c" || text == "sysv") {
+      return convention_of_64_bits(is_windows, signature);
+    }
+    throw UsageError(
+        fmt::format("--frame {}: choose sysv or ms for 64-bit code, or name registers, such as "
+                    "'edi, esi -> eax'",
+                    support::quoted(text)));
+  }
+  Frame frame{.text = std::string(text), .signature = signature};
   frame.kept = kept_by_convention(bits);
   frame.is_far = text == "c-far" || text == "pascal-far";
   frame.first_is_top = !text.starts_with("pascal");
@@ -167,6 +173,18 @@ Frame frame_named(std::string_view text, int bits, const cases::Variant& variant
   if (frame.is_far && bits == 32) {
     throw UsageError(fmt::format("--frame {}: 32-bit code has near calls", text));
   }
+  return frame;
+}
+
+}  // namespace
+
+Frame frame_named(std::string_view text, int bits, const cases::Variant& variant) {
+  const auto parts = frame_text(text);
+  if (!parts) return convention_named(text, bits, signature_of(variant));
+  const auto in_c = signature_in_c(*parts, variant, bits);
+  Frame frame = in_c ? convention_named("c", bits, *in_c) : frame_of_registers(text, bits);
+  if (!in_c) frame.signature = signature_of(variant);
+  frame.text = text;
   return frame;
 }
 
@@ -193,14 +211,16 @@ void expect_place(const Place& place, const Parameter& parameter, bool may_be_va
 }  // namespace
 
 void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
+  expect_room(frame.signature);
   if (frame.elsewhere) return;
-  const auto parameters = parameters_of(v);
+  const auto& parameters = frame.signature.operands;
+  const int result_bits = frame.signature.result_bits;
   const std::string_view name = cases::name_of(v.operation);
-  const bool returns = bits_of_returned(v) > 0;
+  const bool returns = result_bits > 0;
   if (frame.on_stack) {
-    if (returns && v.format.word_bits > 2 * bits) {
+    if (result_bits > 2 * bits) {
       throw UsageError(fmt::format("--frame {}: {}-bit code returns no number of {} bits",
-                                   frame.text, bits, v.format.word_bits));
+                                   frame.text, bits, result_bits));
     }
     return;
   }
@@ -222,8 +242,7 @@ void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
     expect(frame.in[i], p, p.numbers == 1 && !p.is_result);
   }
   for (std::size_t i = 0; i < frame.out.size(); ++i) {
-    const Parameter result =
-        returns ? Parameter{.bits = v.format.word_bits} : parameters[operands + i];
+    const Parameter result = returns ? Parameter{.bits = result_bits} : parameters[operands + i];
     if (frame.out[i].is_pointer) {
       throw UsageError(
           fmt::format("--frame '{}': the pointer to a result is an operand", frame.text));
@@ -234,18 +253,25 @@ void expect_fit(const Frame& frame, const cases::Variant& v, int bits) {
 
 Frame frame_for(const Image& image, std::string_view text, const cases::Variant& variant) {
   if (image.architecture == nullptr) return frame_named(text, image.bits, variant);
-  const auto parameters = parameters_of(variant);
-  const int result_bits = bits_of_returned(variant);
-  Frame frame{.text = std::string(text), .on_stack = false};
-  if (const auto parts = frame_text(text)) {
-    frame.elsewhere = convention_of_registers(*image.architecture, *parts, parameters, result_bits);
-  } else if (text == "c") {
-    frame.elsewhere = convention_of_c(*image.architecture, parameters, result_bits);
+  const Architecture& architecture = *image.architecture;
+  const auto words = [&](int bits) { return static_cast<std::size_t>(bits / image.bits); };
+  const auto parts =
+      frame_text(text, std::max<std::size_t>(2, words(64)), words(architecture.pointer_bits));
+  const auto in_c =
+      parts ? signature_in_c(*parts, variant, architecture.pointer_bits) : std::nullopt;
+  Frame frame{.text = std::string(text),
+              .on_stack = false,
+              .signature = in_c.value_or(signature_of(variant))};
+  const auto& [parameters, result_bits] = frame.signature;
+  if (in_c || text == "c") {
+    frame.elsewhere = convention_of_c(architecture, parameters, result_bits);
+  } else if (parts) {
+    frame.elsewhere = convention_of_registers(architecture, *parts, parameters, result_bits);
   } else {
     throw UsageError(
         fmt::format("--frame {}: choose c for {}, or name registers, the operands first, then -> "
                     "and the result",
-                    support::quoted(text), image.architecture->name));
+                    support::quoted(text), architecture.name));
   }
   return frame;
 }

@@ -24,7 +24,7 @@ struct Place {
 
 /// The names in a place and in a frame of registers, as a user wrote them.
 struct PlaceText {
-  std::vector<std::string_view> parts{};  ///< one or two, the highest bits first
+  std::vector<std::string_view> parts{};  ///< the highest bits first
   bool is_pointer = false;
 };
 struct FrameText {
@@ -34,7 +34,10 @@ struct FrameText {
 };
 /// Takes a frame such as `dx:ax, cx:bx -> dx:ax keeps si` apart; nothing for one without an arrow.
 /// @throws support::UsageError naming what is no place
-std::optional<FrameText> frame_text(std::string_view text);
+/// @param most_parts of a number
+/// @param of_pointer the most parts of a pointer
+std::optional<FrameText> frame_text(std::string_view text, std::size_t most_parts = 2,
+                                    std::size_t of_pointer = 1);
 
 struct Frame {
   std::string text;                  ///< as the user wrote it
@@ -45,25 +48,25 @@ struct Frame {
   std::vector<Place> in{};           ///< operands; empty if they are on the stack
   std::vector<Place> out{};          ///< results; empty on the stack or if all are behind pointers
   std::vector<RegisterName> kept{};  ///< must be preserved, as must the stack pointer
-  /// The places on a processor other than x86; then no member but `text` counts.
+  /// The places on a processor other than x86; then no member but `text` and the last counts.
   std::optional<Convention> elsewhere{};
+  Signature signature{};  ///< what these places have
 };
 
 /// Returns the convention of 64-bit code, of Windows or of System V.
-/// @param parameters  at most 4
-/// @param result_bits of the value that it returns; 0 if it returns none
-Frame convention_of_64_bits(bool is_windows, std::span<const Parameter> parameters,
-                            int result_bits);
+/// @throws support::UsageError for more parameters than there are registers for them
+Frame convention_of_64_bits(bool is_windows, const Signature& signature);
 
 /// Parses `c`, `c-far`, `pascal`, `pascal-far`, `stdcall`, or registers:
 /// `eax, ebx -> eax`, `dx:ax, cx:bx -> dx:ax keeps si, di`, `[si], [bx], [di] ->`. In 64-bit code
-/// `c` and `sysv` are the convention of System V, and `ms` is that of Windows.
+/// `c` and `sysv` are the convention of System V, and `ms` is that of Windows. Types of C, as in
+/// `long, long -> long`, are that of `c`.
 /// @param bits 16, 32 or 64, the width of the code
 /// @throws support::UsageError for any other text
 Frame frame_named(std::string_view text, int bits, const cases::Variant& variant);
 
-/// Returns the frame of an image's processor. That of another processor than x86 is `c` or
-/// registers, and is known to fit.
+/// Returns the frame of an image's processor. That of another processor than x86 is `c`, types of C
+/// or registers, and is known to fit.
 /// @throws support::UsageError as frame_named()
 Frame frame_for(const Image& image, std::string_view text, const cases::Variant& variant);
 

@@ -42,7 +42,8 @@ struct Image {
   std::uint32_t entry_mode = 0;    ///< bit 0 for Thumb code
   std::uint32_t entry_end = 0;     ///< offset after the routine; 0 if unknown
   std::vector<Symbol> symbols;
-  std::vector<Symbol> missing;  ///< names that an object lacks, at addresses without memory
+  std::vector<Symbol> hidden{};  ///< static functions of a linked file; names may be there twice
+  std::vector<Symbol> missing;   ///< names that an object lacks, at addresses without memory
 
   std::vector<Region> regions{};  ///< memory of the file that is far from `memory`
   std::vector<Symbol> bases{};    ///< the values of symbols that registers point to
@@ -75,7 +76,8 @@ struct Image {
   }
 };
 
-/// What `container` says of an ELF file before and after linking.
+/// What `container` says of code without a header, and of an ELF file before and after linking.
+inline constexpr const char* flat_container = "flat binary";
 inline constexpr const char* object_container = "ELF object";
 inline constexpr const char* linked_container = "linked ELF file";
 /// What `container` says of a program in DOS's format with relocations.

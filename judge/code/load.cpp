@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "judge/code/compiler.hpp"
+#include "judge/code/machine.hpp"
 #include "support/bounded_file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -66,27 +69,50 @@ std::string shortened(const std::string& name) {
   return support::printable(name.size() > longest ? name.substr(0, longest) + "..." : name);
 }
 
-void enter_symbol(Image& image, const std::string& name) {
+/// The names for a message, those of the compiler's library last.
+std::string names_of(const Image& image) {
   constexpr std::size_t shown = 20;
+  std::vector<Symbol> symbols = image.symbols;
+  symbols.insert(symbols.end(), image.hidden.begin(), image.hidden.end());
+  std::stable_partition(symbols.begin(), symbols.end(),
+                        [](const Symbol& symbol) { return !symbol.name.starts_with("__"); });
   std::string all;
-  for (std::size_t i = 0; i < image.symbols.size(); ++i) {
-    const Symbol& symbol = image.symbols[i];
-    if (symbol.name == name) {
-      image.entry = symbol.offset;
-      return;
-    }
-    if (i < shown) all += (all.empty() ? "" : ", ") + shortened(symbol.name);
+  for (std::size_t i = 0; i < std::min(symbols.size(), shown); ++i) {
+    all += (all.empty() ? "" : ", ") + shortened(symbols[i].name);
   }
-  if (image.symbols.size() > shown) {
-    all += fmt::format(" and {} others", image.symbols.size() - shown);
+  if (symbols.size() > shown) all += fmt::format(" and {} others", symbols.size() - shown);
+  return all;
+}
+
+void enter_symbol(Image& image, const std::string& name) {
+  const auto named = std::ranges::find(image.symbols, name, &Symbol::name);
+  if (named != image.symbols.end()) {
+    image.entry = named->offset;
+    return;
   }
-  if (image.symbols.empty()) {
-    throw UsageError(fmt::format("--symbol {}: a {} has no symbols; use --at",
+  const auto count = std::ranges::count(image.hidden, name, &Symbol::name);
+  if (count > 1) {
+    throw UsageError(
+        fmt::format("--symbol {}: there are {} static functions of that name; use --at",
+                    support::quoted(name), count));
+  }
+  if (count == 1) {
+    image.entry = std::ranges::find(image.hidden, name, &Symbol::name)->offset;
+    return;
+  }
+  if (image.symbols.empty() && image.hidden.empty()) {
+    throw UsageError(fmt::format("--symbol {}: this {} has no symbols; use --at",
                                  support::quoted(name), image.container));
   }
-  if (name.empty()) throw UsageError(fmt::format("give --symbol; choose one of {}", all));
-  throw UsageError(fmt::format("--symbol {}: there is no such symbol; choose one of {}",
-                               support::quoted(name), all));
+  const std::string all = names_of(image);
+  if (name.empty()) {
+    throw UsageError(
+        fmt::format("name the routine as FILE:ROUTINE or with --symbol; choose one of {}", all));
+  }
+  const bool is_object = image.container == object_container;
+  throw UsageError(fmt::format("--symbol {}: there is no such {}; choose one of {}",
+                               support::quoted(name), is_object ? "global function" : "symbol",
+                               all));
 }
 
 void find_entry(Image& image, const LoadOptions& options) {
@@ -95,7 +121,7 @@ void find_entry(Image& image, const LoadOptions& options) {
   const bool is_object = image.container == object_container;
   if (!is_object && image.container != linked_container) return;
   if (image.symbols.size() != 1) {
-    if (image.symbols.empty())
+    if (image.symbols.empty() && image.hidden.empty())
       throw UsageError(is_object ? "the object has no global function; make the routine global"
                                  : "the linked ELF file has no global function; give --at");
     enter_symbol(image, "");  // throws with the names
@@ -140,16 +166,43 @@ Image image_of_source(const std::string& path, const LoadOptions& options) {
   return image;
 }
 
+/// What a file that is no machine code is, and what to give in its place.
+constexpr const char* to_compile = "is a source; compile it, as with gcc -c, and give the object";
+constexpr const char* to_link = "is an object, but not ELF; link it to a .COM program or an .EXE";
+constexpr const char* to_run =
+    "is no machine code; judge a program that reads cases, such as --run 'python3 mine.py'";
+constexpr const char* to_import =
+    "is no machine code; import fixproof in Python to judge a function, or judge a program that "
+    "reads cases: --run 'python3 mine.py'";
+constexpr const char* to_simulate =
+    "describes hardware; simulate it with a bench that reads cases: --run 'vvp -n bench'";
+constexpr const char* to_take_elf =
+    "does not say for which processor it is; give the ELF file that it was made from";
+constexpr const char* to_check =
+    "is text, no machine code; judge a program with --run './mine', and results with fixproof "
+    "check";
+constexpr std::array<std::pair<const char*, const char*>, 21> no_machine_code{{
+    {".s", to_compile},    {".pas", to_compile},   {".bas", to_compile},  {".obj", to_link},
+    {".py", to_import},    {".js", to_run},        {".rs", to_run},       {".go", to_run},
+    {".java", to_run},     {".cs", to_run},        {".awk", to_run},      {".lua", to_run},
+    {".rb", to_run},       {".pl", to_run},        {".v", to_simulate},   {".sv", to_simulate},
+    {".vhd", to_simulate}, {".vhdl", to_simulate}, {".hex", to_take_elf}, {".srec", to_take_elf},
+    {".s19", to_take_elf},
+}};
+
+/// Tells whether all bytes are text in ASCII. No routine is: each return has a byte above 7fh.
+bool is_text(const std::string& bytes) {
+  return !bytes.empty() && std::ranges::all_of(bytes, [](unsigned char c) {
+    return std::isprint(c) != 0 || std::isspace(c) != 0;
+  });
+}
+
 /// Refuses files that are not machine code, so that they are not taken for a flat binary.
-void expect_machine_code(const std::string& path) {
-  for (const char* extension : {".s", ".pas", ".bas"}) {
-    if (has_extension(path, extension)) {
-      throw UsageError("is a source; compile it, as with gcc -c, and give the object");
-    }
+void expect_machine_code(const std::string& path, const std::string& bytes) {
+  for (const auto& [extension, what] : no_machine_code) {
+    if (has_extension(path, extension)) throw UsageError(what);
   }
-  if (has_extension(path, ".obj")) {
-    throw UsageError("is an object, but not ELF; link it to a .COM program or an .EXE");
-  }
+  if (is_text(bytes)) throw UsageError(to_check);
 }
 
 Image image_of(const std::string& path, const std::string& bytes, const LoadOptions& options) {
@@ -157,12 +210,15 @@ Image image_of(const std::string& path, const std::string& bytes, const LoadOpti
   if (bytes.starts_with("\177ELF")) {
     image.architecture = architecture_of_elf(bytes);
     const std::optional<int> bits =
-        image.architecture != nullptr ? image.architecture->word_bits() : bits_of_elf(bytes);
+        image.architecture != nullptr ? image.architecture->word_bits : bits_of_elf(bytes);
     if (!bits) {
       const std::string others = names_of_architectures();
       throw UsageError(fmt::format(
           "the ELF file is for none of the processors that judge runs: i386, x86-64{}{}",
           others.empty() ? "; others need Unicorn" : ", ", others));
+    }
+    if (const std::string absence = absence_on_emulator(image.architecture); !absence.empty()) {
+      throw UsageError(absence);
     }
     // An object for the i386 may have 16-bit code.
     image.bits = options.bits.value_or(*bits);
@@ -180,9 +236,9 @@ Image image_of(const std::string& path, const std::string& bytes, const LoadOpti
     image.container = ".COM program";
     load_flat(image, bytes, com_origin);
   } else {
-    expect_machine_code(path);
+    expect_machine_code(path, bytes);
     set_bits(image, options.bits);
-    image.container = "flat binary";
+    image.container = flat_container;
     load_flat(image, bytes, 0);
   }
   return image;
@@ -210,14 +266,17 @@ bool has_extension(const std::string& path, const std::string& extension) {
 }
 
 void load_flat(Image& image, const std::string& bytes, std::uint32_t origin) {
-  const bool wide = image.bits >= 32;
-  image.memory.assign(wide ? 0x100000 : 0x10000,
+  const DataSpace apart = image.architecture != nullptr ? image.architecture->data : DataSpace{};
+  const bool is_apart = apart.first != 0;
+  image.memory.assign(is_apart           ? apart.first + DataSpace::bytes
+                      : image.bits == 16 ? 0x10000
+                                         : 0x100000,
                       image.architecture != nullptr ? unused_elsewhere : unused);
   const auto size = static_cast<std::uint32_t>(image.memory.size());
-  image.exit = image.base + size - exit_bytes;
-  image.data = image.exit - data_bytes;
+  image.exit = (is_apart ? apart.code_end : image.base + size) - exit_bytes;
+  image.data = image.base + size - exit_bytes - data_bytes;
   image.stack_top = image.data;
-  const std::uint32_t room = (image.stack_top - stack_bytes) & ~0xFFFU;
+  const std::uint32_t room = (is_apart ? image.exit : image.stack_top - stack_bytes) & ~0xFFFU;
   if (origin > room || bytes.size() > room - origin) {
     throw UsageError(fmt::format("the code ends at {:x}h; {}-bit code has room up to {:x}h",
                                  origin + bytes.size(), image.bits, room));

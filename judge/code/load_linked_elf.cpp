@@ -128,6 +128,9 @@ class Linked {
 
  private:
   [[nodiscard]] bool is_other() const { return image_.architecture != nullptr; }
+  [[nodiscard]] bool has_data_apart() const {
+    return is_other() && image_.architecture->data.first != 0;
+  }
 
   /// Expects segments in order and apart, so that their bytes add up to no more than there is room
   /// for.
@@ -150,7 +153,7 @@ class Linked {
       const Segment s = segments_.back();
       segments_.pop_back();
       const bool shares_page =
-          !image_.regions.empty() &&
+          !has_data_apart() && !image_.regions.empty() &&
           image_.regions.back().address / page <= (s.address + s.memory_bytes - 1) / page;
       if (shares_page)
         throw UsageError(
@@ -184,7 +187,7 @@ class Linked {
           "the object of the routine from before linking",
           (end - first + 1023) / 1024));
     }
-    if (file_.kind() == ET_EXEC) {
+    if (file_.kind() == ET_EXEC && !has_data_apart()) {
       const std::uint64_t most = is_other() ? most_address : first_missing;
       if (first > most - max_code_bytes) {
         throw UsageError(
@@ -194,7 +197,7 @@ class Linked {
       }
       image_.base = static_cast<std::uint32_t>(first);
     }
-    const std::uint32_t origin = file_.kind() == ET_EXEC ? image_.base : load_address;
+    const auto origin = file_.kind() == ET_EXEC ? static_cast<std::uint32_t>(first) : load_address;
     shift_ = origin - static_cast<std::uint32_t>(first);
     std::string flat(end - first, '\0');
     for (const Segment& s : segments_) {
@@ -202,6 +205,25 @@ class Linked {
     }
     image_.container = linked_container;
     load_flat(image_, flat, origin);
+    if (has_data_apart()) place_data_apart();
+  }
+
+  /// Puts variables into the memory for data. What the file has beyond it, such as fuses, is none.
+  void place_data_apart() {
+    const std::uint32_t first = image_.architecture->data.first;
+    const std::uint32_t room = image_.stack_top - stack_bytes;
+    std::erase_if(image_.regions,
+                  [&](const Region& r) { return r.address >= first + DataSpace::bytes; });
+    for (const Region& region : image_.regions) {
+      if (region.address < first || region.address > room ||
+          region.bytes.size() > room - region.address) {
+        throw UsageError(
+            fmt::format("the variables at {:x}h to {:x}h are outside the memory for data, {:x}h to "
+                        "{:x}h",
+                        region.address, region.address + region.bytes.size(), first, room));
+      }
+      std::ranges::copy(region.bytes, image_.memory.begin() + image_.index_of(region.address));
+    }
   }
 
   [[nodiscard]] std::uint32_t placed(std::uint64_t address) const {
@@ -232,9 +254,12 @@ class Linked {
         choosers_.try_emplace(place, file_.name_of(*table, symbol));
         continue;
       }
-      if (symbol.binding == STB_LOCAL || symbol.type == STT_TLS || !is_code(place)) continue;
+      const bool is_local = symbol.binding == STB_LOCAL;
+      if (symbol.type == STT_TLS || symbol.type == STT_OBJECT || !is_code(place)) continue;
+      if (is_local && symbol.type != STT_FUNC) continue;
       std::string name = file_.name_of(*table, symbol);
-      if (is_routine(name)) image_.symbols.push_back({std::move(name), place});
+      if (!is_routine(name)) continue;
+      (is_local ? image_.hidden : image_.symbols).push_back({std::move(name), place});
     }
   }
 

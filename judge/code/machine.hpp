@@ -1,5 +1,5 @@
 /// @file
-/// The machines that run a user's code: this processor, and Unicorn.
+/// The machines that run a user's code: this processor, and emulators.
 #pragma once
 
 #include <boost/noncopyable.hpp>
@@ -29,6 +29,9 @@ struct Access {
   std::uint32_t value = 0;  ///< what is read; 0 for a write
 };
 
+/// A traced call with more steps than this counts as endless.
+inline constexpr std::size_t max_emulated_steps = 100'000;
+
 struct Trace {
   std::vector<Step> steps;
   std::vector<Access> accesses;
@@ -51,8 +54,16 @@ std::unique_ptr<Machine> make_processor(const Image& image);
 
 /// Returns why Unicorn cannot run code, or an empty text if it can.
 std::string absence_on_unicorn();
+/// Returns why the emulator of a processor cannot run code, or an empty text if it can.
+/// @param architecture null for x86
+std::string absence_on_emulator(const Architecture* architecture);
 /// @param trace receives every step of the calls, and must outlive the machine; null for speed
 /// @throws machine_code::EmulatorError
 std::unique_ptr<Machine> make_emulator(const Image& image, Trace* trace);
+// Those of make_emulator(), one for each emulator of processors other than x86.
+std::unique_ptr<Machine> make_unicorn_elsewhere(const Image& image, Trace* trace);
+std::unique_ptr<Machine> make_simavr(const Image& image, Trace* trace);
+/// Returns why simavr cannot run code, or an empty text if it can.
+std::string absence_on_simavr();
 
 }  // namespace fixproof::judge

@@ -42,7 +42,8 @@ class Processor final : public Machine {
 
 std::string absence_on_processor(const Image& image) {
   if (image.architecture != nullptr) {
-    return fmt::format("code for {} runs on Unicorn only", image.architecture->name);
+    return fmt::format("code for {} runs on {} only", image.architecture->name,
+                       emulator_of(image.architecture));
   }
   if (image.bits == 64) return "64-bit code runs on Unicorn only";
   if (image.code_segment != 0 || image.data_segment != 0) {

@@ -33,8 +33,7 @@ class Prover {
         }),
         observe_(observe),
         listing_(subject.image),
-        signature_{.operands = parameters_of(subject.variant),
-                   .result_bits = subject.variant.format.word_bits} {}
+        signature_(subject.frame.signature) {}
 
   RoutineProof prove() {
     if (!is_claimable()) {
@@ -73,9 +72,19 @@ class Prover {
 
  private:
   [[nodiscard]] bool is_claimable() const {
+    if (rules_.variant.from || rules_.within || rules_.faithful || !takes_words()) return false;
     const auto has_claim = [&](Shape shape) { return claim_of(rules_, shape).has_value(); };
     return std::any_of(shapes.begin(), shapes.end(), has_claim) ||
            quotient_claim(rules_, terms_, {}, false);
+  }
+
+  /// Tells whether all operands and the result are words, as the claims have them.
+  [[nodiscard]] bool takes_words() const {
+    const int bits = rules_.variant.format.word_bits;
+    const auto is_word = [bits](const Parameter& p) {
+      return p.bits == bits && !p.is_pointer && !p.constant;
+    };
+    return signature_.result_bits == bits && std::ranges::all_of(signature_.operands, is_word);
   }
 
   /// Compares the terms with the machine, because a wrong decoding would make a wrong proof.

@@ -9,6 +9,7 @@
 
 #include "judge/code/frame.hpp"
 #include "judge/code/listing.hpp"
+#include "judge/code/parameter.hpp"
 #include "x86model/symbolic/state.hpp"
 #include "x86model/symbolic/term.hpp"
 
@@ -30,12 +31,6 @@ struct SymbolicRun {
   std::vector<Path> paths{};
   /// Why there are no paths: an instruction that is not modelled, with its address, or a limit.
   std::string obstacle{};
-};
-
-/// What a routine takes and returns.
-struct Signature {
-  std::vector<Parameter> operands{};  ///< numbers
-  int result_bits = 0;
 };
 
 /// Returns the name of an operand's variable in the terms: a, b, c or d. The variable has the bits

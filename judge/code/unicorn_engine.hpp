@@ -17,9 +17,6 @@
 
 namespace fixproof::judge {
 
-/// A call that executes more basic blocks than this counts as endless; a traced call, more steps.
-inline constexpr std::uint64_t max_blocks = 2'000'000;
-inline constexpr std::size_t max_emulated_steps = 100'000;
 inline constexpr std::size_t page_bytes = 0x1000;
 
 /// @throws machine_code::EmulatorError

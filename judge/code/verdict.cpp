@@ -20,24 +20,31 @@ bool is_right(const check::Rules& rules, const check::JudgedCase& one) {
   return check::keeps(rules, one.operands(), one.said);
 }
 
-/// Returns the simplest wrong case that shrinking a wrong case finds. Returns nothing if the case
-/// is not wrong again.
-std::optional<check::JudgedCase> smallest_from(const Subject& subject, const check::Rules& rules,
-                                               On machine, std::vector<std::uint32_t> words) {
-  Runner runner(subject, machine);
+/// Finds the simplest wrong case, by shrinking a wrong case. A case that has another result when it
+/// runs again is unsteady, even if the sample of such cases lacks it.
+void find_smallest(const Subject& subject, Verdict& verdict, std::vector<std::uint32_t> words) {
+  const check::Rules& rules = verdict.rules;
+  Runner runner(subject, verdict.machine);
   const auto judged = [&](std::span<const std::uint32_t> tried) {
     check::JudgedCase one = judged_case(subject.variant, tried, runner.answers(tried).front());
     one.read_by(rules);
     return one;
   };
-  if (is_right(rules, judged(words))) return std::nullopt;
-  if (subject.variant.format.word_bits <= 32) {
-    words = verify::shrink(
-        std::move(words), subject.variant.format.word_bits,
-        [&](std::span<const std::uint32_t> tried) { return !is_right(rules, judged(tried)); });
+  const auto note_unsteady = [&] {
+    if (verdict.unsteady) return;
+    verdict.unsteady =
+        Incident{.words = words, .operands = text_of_operands(subject.variant, words)};
+  };
+  if (is_right(rules, judged(words))) return note_unsteady();
+  const int bits = cases::operand_bits(subject.variant);
+  if (bits <= 32) {
+    words = verify::shrink(std::move(words), bits, [&](std::span<const std::uint32_t> tried) {
+      return !is_right(rules, judged(tried));
+    });
   }
   check::JudgedCase smallest = judged(words);
-  return is_right(rules, smallest) ? std::nullopt : std::optional(std::move(smallest));
+  if (judged(words).said != smallest.said) note_unsteady();
+  if (!is_right(rules, smallest)) verdict.smallest = std::move(smallest);
 }
 
 struct Judging {
@@ -99,10 +106,7 @@ Verdict judge_routine(const Subject& subject, const VerdictOptions& options) {
   Judging judging{subject, used};
   judging.verdict.rules = used.rules;
   judging.run();
-  Verdict& verdict = judging.verdict;
-  if (!judging.smallest.empty()) {
-    verdict.smallest = smallest_from(subject, verdict.rules, verdict.machine, judging.smallest);
-  }
+  if (!judging.smallest.empty()) find_smallest(subject, judging.verdict, judging.smallest);
   return std::move(judging.verdict);
 }
 

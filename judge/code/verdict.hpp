@@ -52,7 +52,7 @@ struct Verdict {
   std::optional<check::JudgedCase> smallest{};  ///< the simplest case that is wrong when run again
 
   [[nodiscard]] bool is_right() const {
-    return !stuck && !not_preserved && !unsteady && (!judge || judge->wrong() == 0);
+    return !stuck && !not_preserved && !unsteady && (!judge || judge->is_right());
   }
 };
 

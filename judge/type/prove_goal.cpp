@@ -84,7 +84,7 @@ class Prover {
       : goal_(goal),
         image_(image),
         ask_(ask),
-        frame_(convention_of_64_bits(false, goal.signature.operands, goal.signature.result_bits)),
+        frame_(convention_of_64_bits(false, goal.signature)),
         function_(image, frame_, goal.signature) {}
 
   GoalProof prove() {

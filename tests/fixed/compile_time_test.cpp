@@ -23,7 +23,8 @@ static_assert(!std::is_convertible_v<q16_16, int> && !std::is_convertible_v<q16_
 static_assert(!std::is_convertible_v<q8_8, q16_16>);
 static_assert(!std::is_convertible_v<q16_16, q16_16_saturating>);
 static_assert(!std::is_constructible_v<bool, q16_16>);
-static_assert(!std::is_constructible_v<q16_16, long double>);
+static_assert(std::is_constructible_v<q16_16, long double> &&
+              !std::is_convertible_v<long double, q16_16>);
 
 // Operators are noexcept except under policies that throw.
 template <class Number>
@@ -94,6 +95,49 @@ static_assert(!try_divide(std::numeric_limits<q16_16_trapping>::lowest(), q16_16
 
 static_assert(sqrt(q16_16(2)).raw() == 92682);  // 1.41421356 * 65536 = 92681.90
 static_assert(sqrt(q16_16(-4)) == q16_16());
+// policy::moving refuses every plain operand and conversion, and changes no result.
+using moving = with_policy<q16_16, policy{.multiply = rounding::floor, .moving = true}>;
+using moved = with_policy<q16_16, policy{.multiply = rounding::floor}>;
+template <class Number, class Plain>
+constexpr int mixed_expressions = [] {
+  int count = 0;
+  count += requires(Number x, Plain n) { x + n; }
+  ? 1 : 0;
+  count += requires(Number x, Plain n) { n - x; }
+  ? 1 : 0;
+  count += requires(Number x, Plain n) { x* n; }
+  ? 1 : 0;
+  count += requires(Number x, Plain n) { x / n; }
+  ? 1 : 0;
+  count += requires(Number x, Plain n) { x % n; }
+  ? 1 : 0;
+  count += requires(Number x, Plain n) { x == n; }
+  ? 1 : 0;
+  count += requires(Number x, Plain n) { n < x; }
+  ? 1 : 0;
+  count += requires(Number x, Plain n) { x += n; }
+  ? 1 : 0;
+  count += requires(Number x, Plain n) { x %= n; }
+  ? 1 : 0;
+  count += requires(Number x) { ++x; }
+  ? 1 : 0;
+  count += requires(Number x) { x--; }
+  ? 1 : 0;
+  count += std::is_constructible_v<Number, Plain> ? 1 : 0;
+  count += requires(Number x) { static_cast<Plain>(x); }
+  ? 1 : 0;
+  return count;
+}();
+static_assert(mixed_expressions<moved, int> == 13 && mixed_expressions<moving, int> == 0);
+static_assert(mixed_expressions<moving, std::uint64_t> == 0 &&
+              mixed_expressions<moving, short> == 0);
+static_assert(mixed_expressions<moved, double> == 4 && mixed_expressions<moving, double> == 0);
+static_assert(mixed_expressions<moving, long double> == 0 && mixed_expressions<moving, float> == 0);
+static_assert((moving::from_raw(-3) * moving(q16_16(0.5))).raw() ==
+              (moved::from_raw(-3) * moved(0.5)).raw());
+static_assert(to_integer<rounding::floor>(moving(q16_16(-1.5))) == -2 &&
+              (moving(q16_16(1)) << 1) == moving(q16_16(2)));
+
 static_assert(sin_cos_of_tenths<q16_16>(900) == sin_and_cos<q16_16>{q16_16(1), q16_16()});
 static_assert(floor(q16_16(-0.5)) == q16_16(-1) && ceil(q16_16(-0.5)) == q16_16());
 

@@ -27,7 +27,7 @@ int sign(std::partial_ordering order) { return order < 0 ? -1 : order > 0 ? 1 : 
 
 /// The ends of the range, the numbers around zero and one, and random ones of every length.
 template <class N>
-std::vector<N> numbers(std::uint64_t seed) {
+std::vector<N> random_numbers(std::uint64_t seed) {
   using raw = typename N::raw_type;
   using limits = std::numeric_limits<raw>;
   std::vector<N> all;
@@ -57,8 +57,8 @@ void near(R r, const Check& check) {
 template <class A, class B, class R>
 void compare_all() {
   int equal = 0;
-  for (const A a : numbers<A>(1)) {
-    for (const B b : numbers<B>(2)) {
+  for (const A a : random_numbers<A>(1)) {
+    for (const B b : random_numbers<B>(2)) {
       const cpp_rational x = value(a);
       const cpp_rational y = value(b);
       near(add<R>(a, b), [&](R r) {
@@ -93,7 +93,7 @@ TEST(Exactness, OfArithmetic) {
 
 template <class A, class R>
 void compare_values_and_roots() {
-  for (const A a : numbers<A>(3)) {
+  for (const A a : random_numbers<A>(3)) {
     const cpp_rational x = value(a);
     near(R(a), [&](R r) { ASSERT_EQ(sign(compare_value(a, r)), sign(x - value(r))) << x; });
     if (a.raw() < 0) {

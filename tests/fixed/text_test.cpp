@@ -69,6 +69,8 @@ std::optional<Number> parsed(const std::string& text) {
     case rounding::half_even:
       away = 2 * rest > denominator || (2 * rest == denominator && low % 2 != 0);
       break;
+    case rounding::nearest:
+      break;  // no rule of conversions
   }
   cpp_int result = low + (away ? 1 : 0);
   if (negative) result = -result;

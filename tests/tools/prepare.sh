@@ -14,7 +14,7 @@ build_packages=(cmake ninja-build g++ libboost-dev libboost-filesystem-dev libcl
   nlohmann-json3-dev libpng-dev libsdl2-dev libssl-dev libtinyobjloader-dev zlib1g-dev
   libzydis-dev nasm libunicorn-dev z3 libfixmath-dev libfreetype-dev)
 test_packages=("${build_packages[@]}" ccache libgtest-dev librapidcheck-dev libbenchmark-dev libeigen3-dev
-  libglm-dev libmpfr-dev gappa dosbox cvc5 python3-yaml)
+  libglm-dev libmpfr-dev libsimavr-dev gappa dosbox cvc5 python3-yaml)
 # shellcheck disable=SC2034  # used by ./test
 wasm_packages=(clang lld wasi-libc "libc++-$llvm-dev-wasm32" "libc++abi-$llvm-dev-wasm32"
   "libclang-rt-$llvm-dev-wasm32" python3)
@@ -26,6 +26,9 @@ import_packages=(clang git pkg-config)
 scale_packages=(parallel procps slurmctld slurmd slurm-client munge)
 # shellcheck disable=SC2034
 language_packages=(rustc golang-go mono-mcs mono-runtime nodejs iverilog verilator ghdl)
+# shellcheck disable=SC2034
+processor_packages=(gcc-arm-none-eabi gcc-aarch64-linux-gnu gcc-riscv64-unknown-elf gcc-mips-linux-gnu
+  gcc-mipsel-linux-gnu gcc-m68k-linux-gnu gcc-powerpc-linux-gnu gcc-s390x-linux-gnu gcc-avr avr-libc python3)
 # shellcheck disable=SC2034
 python_packages=(python3 python3-numpy python3-pytest python3-hypothesis python3-pip python3-setuptools python3-wheel)
 

@@ -139,7 +139,7 @@ constexpr outcome_of<Number> rooted(Number x) noexcept {
   constexpr int Point = Number::fraction_bits;
   constexpr overflow range =
       has_every_root<raw, Point> ? overflow::wrap : function_range<Number::rules.range>;
-  return narrowed_element<raw, range>(nearest_root<Point>(x.raw()));
+  return narrowed_element<raw, range>(stored_root<Number::rules.functions, Point>(x.raw()));
 }
 
 /// Returns coordinate / depth * constant.

@@ -44,6 +44,11 @@ template <class Number>
 inline constexpr bool has_lanes = std::is_signed_v<typename Number::raw_type> &&
                                   (sizeof(Number) == 2 || sizeof(Number) == 4);
 
+/// The same for functions, whose lanes have no bounds.
+template <class Number>
+inline constexpr bool has_function_lanes =
+    has_lanes<Number>&& Number::rules.functions == rounding::nearest;
+
 /// The same for multiply-add, whose sums must fit into twice the width.
 template <class Number>
 inline constexpr bool has_mul_add_lanes =
@@ -60,8 +65,8 @@ inline constexpr bool has_quotient_lanes = has_float_lanes<Number>&&
 
 /// The same for square roots.
 template <class Number>
-inline constexpr bool has_root_lanes =
-    has_float_lanes<Number>&& has_fast_root<typename Number::raw_type, Number::fraction_bits>;
+inline constexpr bool has_root_lanes = has_float_lanes<Number>&& has_function_lanes<Number>&&
+    has_fast_root<typename Number::raw_type, Number::fraction_bits>;
 
 }  // namespace fixproof::detail
 

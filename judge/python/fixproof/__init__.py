@@ -8,9 +8,9 @@
 (True, 'half-up')
 
 Words are plain integers: the two's complement value, in units of the format, so 1.5 in q16_16 is
-98304. `judge` calls a function on the cases of `fixproof gen`, `check` judges results that you have,
-`assert_right` is for tests, `cases` yields the cases, and `fixproof.strategies` has strategies for
-Hypothesis.
+98304. `judge` calls a function on the cases of `fixproof gen`, `check` judges results that you
+have, `assert_right` is for tests, `cases` yields the cases, and `fixproof.strategies` has
+strategies for Hypothesis.
 """
 from ._command import Error, command
 from ._format import Format

@@ -21,8 +21,8 @@ def results_of(function: Callable[..., Any], lines: Lines,
     try:
         said = function(*operands)
     except (ZeroDivisionError, OverflowError) as error:
-        raise Error(f"{name} raised {type(error).__name__} for a whole array; return a masked array "
-                    "(numpy.ma), whose masked elements are divide errors") from error
+        raise Error(f"{name} raised {type(error).__name__} for a whole array; return a masked "
+                    "array (numpy.ma), whose masked elements are divide errors") from error
     except Exception as error:
         raise Error(f"{name} raised {type(error).__name__} for {len(operands[0])} cases: "
                     f"{error}") from error
@@ -38,8 +38,8 @@ def _arrays(cases: List[bytes], lines: Lines) -> List[Any]:
         data = bytes.fromhex(b"".join(cases).decode())
         table = numpy.frombuffer(data, dtype.newbyteorder(">")).reshape(len(cases), count)
     except ValueError as error:
-        raise Error(f"{lines.operation}: its cases are no words of {lines.operands.name}; choose an "
-                    "operation of `fixproof check --help`") from error
+        raise Error(f"{lines.operation}: its cases are no words of {lines.operands.name}; choose "
+                    "an operation of `fixproof check --help`") from error
     return [table[:, i].astype(dtype) for i in range(count)]
 
 

@@ -34,7 +34,8 @@ def command() -> str:
 def message_of(stderr: bytes, status: int) -> str:
     """Returns what the command says of a failure, in one line."""
     text = " ".join(stderr.decode(errors="replace").split())
-    return text.removeprefix("fixproof: ") or f"the command fixproof ended with status {status} and said nothing"
+    return (text.removeprefix("fixproof: ")
+            or f"the command fixproof ended with status {status} and said nothing")
 
 
 @contextmanager

@@ -10,8 +10,8 @@ _NAME = re.compile(r"(q|u)(-?\d{1,3})_(-?\d{1,3})|(d|ud)(\d{1,3})_(\d{1,3})")
 class Format:
     """A format of words, by its name.
 
-    `qW_F` is signed and `uW_F` unsigned, with W bits before the point (the sign included) and F after
-    it. `dB_F` and `udB_F` have B bits in units of 10**-F. A word has 2 to 64 bits.
+    `qW_F` is signed and `uW_F` unsigned, with W bits before the point (the sign included) and F
+    after it. `dB_F` and `udB_F` have B bits in units of 10**-F. A word has 2 to 64 bits.
 
     Raises Error for any other name.
     """

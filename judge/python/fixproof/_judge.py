@@ -29,9 +29,9 @@ def judge(function: Callable[..., Any], operation: str, *, format: str = "q16_16
     """Calls `function` on every case of `fixproof gen` and judges its results by `fixproof check`.
 
     The function takes the operands as raw integers in units of `format` and returns one in units of
-    `to`, by default the same format. A word is its two's complement value: below 0 for a negative one
-    of a signed format. from_binary64 takes a float, from_decimal a str, and to_decimal returns a str.
-    A ZeroDivisionError, an OverflowError and the result `fixproof.DE` are a divide error.
+    `to`, by default the same format. A word is its two's complement value: below 0 for a negative
+    one of a signed format. from_binary64 takes a float, from_decimal a str, and to_decimal returns
+    a str. A ZeroDivisionError, an OverflowError and the result `fixproof.DE` are a divide error.
 
     With `arrays`, it is called once, with a NumPy array for each operand, in the integer type that
     stores a word, and returns an array of integers. The masked elements of a masked array are `DE`.

@@ -43,8 +43,10 @@ class Lines:
             try:
                 return struct.pack(">d", operands[0]).hex()
             except struct.error:
-                raise Error(f"operands {operands}: {operands[0]!r} is no float; write one") from None
-        return " ".join(self._hex(self._index(word, self.operands, f"operands {operands}: {word!r}"),
+                raise Error(
+                    f"operands {operands}: {operands[0]!r} is no float; write one") from None
+        place = f"operands {operands}:"
+        return " ".join(self._hex(self._index(word, self.operands, f"{place} {word!r}"),
                                   self.operands) for word in operands)
 
     def line_of_result(self, said: Any, place: str) -> str:
@@ -81,13 +83,15 @@ def _printed(text: Any, place: str) -> str:
 def out_of_range_fix(word: int, format: Format) -> str:
     """Returns what to do about a result beyond the words of the format."""
     if format.signed and 0 <= word < 1 << format.bits:
-        return f"return the two's complement value, {format.wrap(word)}"
+        return (f"return the two's complement value, {format.wrap(word)}, "
+                f"as Format({format.name!r}).wrap does")
     return "wrap or saturate it, or raise OverflowError"
 
 
 def _refuse_type(said: Any, format: Format, place: str) -> NoReturn:
     if said is None:
-        raise Error(f"{place}, which is no result; return an int, or fixproof.DE for a divide error")
+        raise Error(
+            f"{place}, which is no result; return an int, or fixproof.DE for a divide error")
     kind = type(said).__name__
     if isinstance(said, float):
         fix = f"return the integer in units of {format.name}"
@@ -99,8 +103,8 @@ def _refuse_type(said: Any, format: Format, place: str) -> NoReturn:
 
 
 def decoded(lines: Lines, text: Any) -> Any:
-    """Returns a result of the command as a Python value: an int, DE, the text of to_decimal, or None
-    if every result is accepted."""
+    """Returns a result of the command as a Python value: an int, DE, the text of to_decimal, or
+    None if every result is accepted."""
     if text is None or text == DE or lines.operation == "to_decimal":
         return text
     return struct.unpack(f">{lines.results.code}", bytes.fromhex(text))[0]

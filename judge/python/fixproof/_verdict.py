@@ -30,7 +30,8 @@ class Example:
 
 @dataclass(frozen=True, repr=False)
 class Verdict:
-    """What `fixproof check` finds. It is true if all results are right, and prints as the command does."""
+    """What `fixproof check` finds. It is true if all results are right, and prints as the command
+    does."""
 
     #: Whether every result is right, and every promise of `within` is kept.
     right: bool
@@ -40,8 +41,8 @@ class Verdict:
     wrong: int
     #: The first wrong results, of each kind in turn: at most `show`.
     examples: Tuple[Example, ...]
-    #: The rounding that fits the results best, such as `floor`; None if results are exact or none is
-    #: in range. `exceptions` says how well it fits.
+    #: The rounding that fits the results best, such as `floor`; None if results are exact or none
+    #: is in range. `exceptions` says how well it fits.
     rounding: Optional[str]
     #: The number of results in range that do not follow `rounding`.
     exceptions: int

@@ -17,8 +17,8 @@ from ._judge import cases
 try:
     from hypothesis import strategies as _st
 except ImportError as missing:
-    raise Error("fixproof.strategies needs Hypothesis; install it (Debian: python3-hypothesis, pip: "
-                "hypothesis)") from missing
+    raise Error("fixproof.strategies needs Hypothesis; install it (Debian: python3-hypothesis, "
+                "pip: hypothesis)") from missing
 
 #: As many cases of an operation are drawn from.
 _CASES = 10_000
@@ -27,9 +27,9 @@ _NEAR = 2
 
 
 def words(format: str = "q16_16") -> "_st.SearchStrategy[int]":
-    """Draws words of a format as integers: the ends of the range, words next to 0, to a half, to whole
-    numbers and to powers of two, and any others. They shrink toward 0. Wrapping takes what is beyond
-    an end to the other end. Raises Error for what is no format."""
+    """Draws words of a format as integers: the ends of the range, words next to 0, to a half, to
+    whole numbers and to powers of two, and any others. They shrink toward 0. Wrapping takes what is
+    beyond an end to the other end. Raises Error for what is no format."""
     range_of = Format(format)
     one = max(1, int(range_of.one))
     powers = {1 << bit for bit in range(range_of.bits)}
@@ -40,15 +40,15 @@ def words(format: str = "q16_16") -> "_st.SearchStrategy[int]":
     whole = _st.builds(lambda count, step: range_of.wrap(count * one + step),
                        _st.integers(range_of.lowest // one, range_of.highest // one),
                        _st.integers(-_NEAR, _NEAR))
-    return _st.one_of(_st.integers(range_of.lowest, range_of.highest), _st.sampled_from(edges), near,
-                      whole)
+    return _st.one_of(_st.integers(range_of.lowest, range_of.highest), _st.sampled_from(edges),
+                      near, whole)
 
 
 def operands(operation: str, format: str = "q16_16",
              to: Optional[str] = None) -> "_st.SearchStrategy[Tuple[Any, ...]]":
-    """Draws tuples of operands: cases of `fixproof gen`, which has ties, what lies next to a tie, the
-    ends of the range and of the domain, and results about to wrap; the same with operands a few units
-    off; and words(). Raises Error as `fixproof.cases` does."""
+    """Draws tuples of operands: cases of `fixproof gen`, which has ties, what lies next to a tie,
+    the ends of the range and of the domain, and results about to wrap; the same with operands a few
+    units off; and words(). Raises Error as `fixproof.cases` does."""
     known = _known(operation, format, to)
     drawn = _st.sampled_from(known)
     if not all(isinstance(one, int) for one in known[0]):

@@ -57,6 +57,7 @@ struct ExactSteps {
       case fixproof::rounding::truncate:
         return std::trunc(units) / 65536.0;
       case fixproof::rounding::half_even:
+      case fixproof::rounding::nearest:
         return std::nearbyint(units) / 65536.0;
     }
     return exact;

@@ -45,7 +45,10 @@ struct Format {
 
 template <class N>
 Format format_of(const char* name) {
-  return {name, {N::fraction_bits, std::is_signed_v<typename N::raw_type>}, computed<N>};
+  return {
+      name,
+      {N::fraction_bits, std::is_signed_v<typename N::raw_type>, 8 * static_cast<int>(sizeof(N))},
+      computed<N>};
 }
 
 struct Name {
@@ -200,9 +203,12 @@ inline std::vector<std::pair<Word, Word>> hard_powers(LongFormat format) {
 /// Compares results of a format with those of MPFR, and counts those in the domain.
 class Comparison {
  public:
-  explicit Comparison(const Format& format) : format_(format), results_(format.format) {}
+  explicit Comparison(const Format& format, mpfr_rnd_t rounding = MPFR_RNDN)
+      : format_(format), results_(format.format, rounding) {}
 
-  void compare(const Name& name, Word x, Word y) {
+  void compare(const Name& name, Word any_x, Word any_y) {
+    const Word x = stored(any_x);
+    const Word y = stored(any_y);
     const auto want = results_.of(name.function, x, y);
     if (!want) return;
     ++count_;
@@ -213,6 +219,14 @@ class Comparison {
   [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
+  /// The stored integer that has the low bits of a word, extended.
+  [[nodiscard]] Word stored(Word word) const {
+    const int above = 64 - format_.format.bits;
+    const Word top = word << above;
+    return format_.format.is_signed ? static_cast<Word>(static_cast<std::int64_t>(top) >> above)
+                                    : top >> above;
+  }
+
   const Format& format_;
   mpfr_result::Results results_;
   std::size_t count_ = 0;

@@ -34,20 +34,24 @@ class Real {
   mpfr_t value_;  // NOLINT(*-avoid-c-arrays): the type of MPFR
 };
 
-/// A format of 64 bits at run time.
+/// A format at run time. Words are its stored integers, extended to 64 bits.
 struct LongFormat {
   int fraction_bits;
   bool is_signed;
+  int bits = 64;
 };
 
 /// The words of results. One object keeps its variables for many of them.
 class Results {
  public:
-  explicit Results(LongFormat format) : format_(format) {
+  /// @param rounding to nearest, down, up or toward zero
+  explicit Results(LongFormat format, mpfr_rnd_t rounding = MPFR_RNDN)
+      : format_(format), rounding_(rounding) {
     mpfr_set_emin(mpfr_get_emin_min());
     mpfr_set_emax(mpfr_get_emax_max());
-    put(highest_, format.is_signed ? ~std::uint64_t{0} >> 1 : ~std::uint64_t{0}, 0);
-    put(lowest_, format.is_signed ? std::uint64_t{1} << 63 : 0, 0);
+    const std::uint64_t most = ~std::uint64_t{0} >> (64 - format.bits);
+    put(highest_, format.is_signed ? most >> 1 : most, 0);
+    put(lowest_, format.is_signed ? ~(most >> 1) : 0, 0);
   }
 
   /// The word of the result, saturated, ties up; empty outside the domain.
@@ -55,11 +59,13 @@ class Results {
   std::optional<std::uint64_t> of(Function function, std::uint64_t x, std::uint64_t y) {
     put(x_, x, format_.fraction_bits);
     put(y_, y, format_.fraction_bits);
-    const bool is_exact = compute(function) == 0;
+    const int over = compute(function);
+    const bool is_exact = over == 0;
     if (mpfr_number_p(value_) == 0) return std::nullopt;
     mpfr_mul_2si(value_, value_, format_.fraction_bits, MPFR_RNDN);
     if (mpfr_cmp(value_, highest_) >= 0) return word_of(highest_);
     if (mpfr_cmp(value_, lowest_) <= 0) return word_of(lowest_);
+    if (rounding_ != MPFR_RNDN) return bound(over);
     mpfr_add_d(sum_, value_, 0.5, MPFR_RNDN);
     mpfr_floor(whole_, sum_);
     mpfr_sub(sum_, sum_, whole_, MPFR_RNDN);
@@ -74,6 +80,23 @@ class Results {
   }
 
  private:
+  /// The word below or above the value. @param over the sign of the value less the exact result
+  std::uint64_t bound(int over) {
+    const bool is_negative =
+        mpfr_sgn(mpfr_ptr(value_)) < 0 || (mpfr_zero_p(mpfr_ptr(value_)) != 0 && over > 0);
+    const bool is_up = rounding_ == MPFR_RNDU || (rounding_ == MPFR_RNDZ && is_negative);
+    const bool is_whole = mpfr_integer_p(mpfr_ptr(value_)) != 0;
+    if (is_up) {
+      mpfr_ceil(whole_, value_);
+      if (is_whole && over < 0) mpfr_add_ui(whole_, whole_, 1, MPFR_RNDN);
+    } else {
+      mpfr_floor(whole_, value_);
+      if (is_whole && over > 0) mpfr_sub_ui(whole_, whole_, 1, MPFR_RNDN);
+    }
+    if (mpfr_cmp(whole_, highest_) > 0) return word_of(highest_);
+    return word_of(mpfr_cmp(whole_, lowest_) < 0 ? mpfr_ptr(lowest_) : mpfr_ptr(whole_));
+  }
+
   void put(mpfr_ptr to, std::uint64_t word, int places) const {
     if (format_.is_signed) {
       mpfr_set_sj(to, static_cast<std::int64_t>(word), MPFR_RNDN);
@@ -186,6 +209,7 @@ class Results {
   static constexpr mpfr_prec_t precision = 320;
 
   LongFormat format_;
+  mpfr_rnd_t rounding_;
   Real x_{64};
   Real y_{64};
   Real value_{precision};

@@ -129,8 +129,8 @@ TEST(Containers, AnElfObject) {
   expect(judge(object, "--symbol|mul_cdecl|--as|mul" + few), 0,
          {"ELF object, routine at 1000h, 32-bit code", "must keep ebx, ebp, esi, edi"});
   const auto missing = judge(object, "--symbol|other|--as|mul");
-  command::expect_usage_error(missing,
-                              "--symbol 'other': there is no such symbol; choose one of mul_cdecl");
+  command::expect_usage_error(
+      missing, "--symbol 'other': there is no such global function; choose one of mul_cdecl");
 }
 
 TEST(Containers, WhatCannotBeReadIsSaid) {
@@ -140,7 +140,7 @@ TEST(Containers, WhatCannotBeReadIsSaid) {
                               "bad.asm: nasm: 1: error: ");
   command::expect_usage_error(judge(folder.write("cut.exe", "MZ"), "--as|mul"), "is cut off");
   command::expect_usage_error(judge(folder.write("code", "\xC3"), "--as|mul|--symbol|a\nb"),
-                              "--symbol 'a?b': a flat binary has no symbols; use --at");
+                              "--symbol 'a?b': this flat binary has no symbols; use --at");
   command::expect_usage_error(judge(folder.write("code", "\xC3"), "--as|mul|--at|7"),
                               "the routine at 7h is outside the code, 0h to 1h");
 }
@@ -153,6 +153,22 @@ TEST(Containers, ASourceOfAnotherKindIsNoFlatBinary) {
   }
   command::expect_usage_error(judge(folder.write("MUL.OBJ", "\x80"), "--as|mul"),
                               "MUL.OBJ: is an object, but not ELF; link it to a .COM program or");
+}
+
+TEST(Containers, AFileThatIsNoMachineCodeSaysWhatToGive) {
+  const ScratchFolder folder;
+  const auto refuse = [&](const std::string& name, const std::string& text, const char* part) {
+    command::expect_usage_error(judge(folder.write(name, text), "--as|mul"), name + part);
+  };
+  refuse("mine.py", "# \xC3\xA9", ": is no machine code; import fixproof in Python");
+  refuse("mine.JS", "x", ": is no machine code; judge a program that reads cases");
+  refuse("mul.v", "module mul; endmodule", ": describes hardware; simulate it with a bench");
+  refuse("firmware.hex", ":00000001FF", ": does not say for which processor it is; give the ELF");
+  refuse("results", "00000000\n\tDE\r\n", ": is text, no machine code; judge a program with --run");
+  // A single byte that is not text makes it code.
+  expect(judge(folder.write("code", "\x58\x5A\xC3"), "--as|mul" + few), 1, {"flat binary"});
+  expect(judge(folder.write("image.bin", std::string(16, '\xFF')), "--as|mul"), 1,
+         {"If it is not for x86, give the ELF file that it was made from.\n"});
 }
 
 TEST(Containers, ASmallObjectThatAsksForMuchIsRefused) {

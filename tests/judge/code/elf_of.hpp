@@ -22,6 +22,7 @@ struct Part {
 
 struct File {
   unsigned machine = 0;
+  unsigned flags = 0;
   bool is_64 = false;
   bool is_big_endian = false;
   std::vector<Part> parts{};
@@ -80,7 +81,7 @@ class Writer {
     word(file_.parts[0].address);
     word(header);
     word(sections);
-    number(0);
+    number(file_.flags);
     half(header);
     half(segment);
     half(parts);

@@ -88,12 +88,28 @@ TEST_F(JudgeLinkedElf, AStrippedLibraryHasItsDynamicSymbols) {
   for (const int bits : {32, 64}) {
     const std::string file = linked(folder, bits, linked_product(bits), shared + "|-s");
     expect(judge(file, quickly + "|--symbol|mul"), 0, {"AGREES on 5,000 cases"});
-    command::expect_usage_error(judge(file, quickly), "give --symbol; choose one of ");
+    command::expect_usage_error(
+        judge(file, quickly), "name the routine as FILE:ROUTINE or with --symbol; choose one of ");
     const std::string without = linked(folder, bits, linked_product(bits), program + "|-s");
     command::expect_usage_error(judge(without, quickly),
                                 "the linked ELF file has no global function");
     command::expect_usage_error(judge(without + ":mul", quickly), "has no symbols; use --at");
   }
+}
+
+TEST_F(JudgeLinkedElf, AStaticFunctionHasItsName) {
+  // As a linker that optimises the whole program leaves functions.
+  const std::string source =
+      "static mul:function\nmul: movsxd rax, edi\nmovsxd rsi, esi\nimul rax, rsi\n"
+      "add rax, 0x8000\nsar rax, 16\nret\n"
+      "global go:function, table:data\ngo: jmp mul\ntable: dd 0\n";
+  const std::string file = linked(folder, 64, source, program);
+  expect(judge(file + ":mul", quickly), 0, {"AGREES on 5,000 cases"});
+  command::expect_usage_error(judge(file + ":mull", quickly), "choose one of go, mul\n");
+  const std::string more = "static mul:function\nmul: ret\n";
+  const std::string both = linked(folder, 64, more, program + "|" + file + ".o", "both");
+  command::expect_usage_error(judge(both + ":mul", quickly),
+                              "there are 2 static functions of that name; use --at");
 }
 
 TEST_F(JudgeLinkedElf, ANameThatTheFileLacksIsNamedWhereItIsUsed) {

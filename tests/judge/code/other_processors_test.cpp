@@ -20,22 +20,10 @@ using elf_of::bytes_of_hex;
 using judged::expect;
 using judged::judge;
 using other_processors::Code;
-
-constexpr std::uint32_t origin = 0x10000;
-
-std::string linked(const Code& code, std::string_view hex) {
-  const elf_of::File file{.machine = code.machine,
-                          .is_64 = code.is_64,
-                          .is_big_endian = code.is_big_endian,
-                          .parts = {{origin, bytes_of_hex(hex)}},
-                          .functions = {{"f", origin + (code.is_thumb ? 1 : 0)}}};
-  return elf_of::Writer(file).write();
-}
-
-const Code& processor(std::string_view name) {
-  return *std::ranges::find_if(other_processors::all,
-                               [&](const Code& c) { return c.name == name && !c.is_thumb; });
-}
+using other_processors::is_present;
+using other_processors::linked;
+using other_processors::present;
+using other_processors::processor;
 
 /// Returns the line of a verdict that begins with a text.
 std::string line_of(const std::string& verdict, const std::string& beginning) {
@@ -46,7 +34,7 @@ std::string line_of(const std::string& verdict, const std::string& beginning) {
 
 TEST(OtherProcessors, RightProductsAgree) {
   const ScratchFolder folder;
-  for (const Code& code : other_processors::all) {
+  for (const Code& code : present()) {
     const auto run = judge(folder.write("f.elf", linked(code, code.mul)), "--as|mul|--cases|5000");
     expect(run, 0,
            {fmt::format("linked ELF file, routine at 10000h, {} code, frame c\n", code.name),
@@ -59,7 +47,7 @@ TEST(OtherProcessors, ADefectHasTheSameVerdictOnAll) {
   const ScratchFolder folder;
   std::set<std::string> carries;
   std::set<std::string> ties;
-  for (const Code& code : other_processors::all) {
+  for (const Code& code : present()) {
     const auto carry = judge(folder.write("f.elf", linked(code, code.lost_carry)),
                              "--as|mul|--cases|20000|--rounding|half-up");
     expect(carry, 1,
@@ -76,7 +64,7 @@ TEST(OtherProcessors, ADefectHasTheSameVerdictOnAll) {
 
 TEST(OtherProcessors, NumbersOf64BitsArePassedAsTheAbiSays) {
   const ScratchFolder folder;
-  for (const Code& code : other_processors::all) {
+  for (const Code& code : present()) {
     const auto run = judge(folder.write("f.elf", linked(code, code.add)),
                            "--as|add|--format|q32_32|--overflow|wrap|--cases|5000");
     expect(run, 0, {"AGREES on 5,000 cases\n"});
@@ -123,6 +111,25 @@ TEST(OtherProcessors, ArgumentsAreWhereTheAbiHasThem) {
   EXPECT_EQ(Placed(processor("68000")).of({32, 64, 32}), "[4] [12]+[8] [16]");
   EXPECT_EQ(Placed(processor("PowerPC")).of({32, 64, 32}), "r3 r6+r5 r7");
   EXPECT_EQ(Placed(processor("s390x")).of({64, 32, 64, 64, 32, 64}), "r2 r3 r4 r5 r6 [160]");
+  // The lowest byte first. A byte has the lower one of two registers.
+  EXPECT_EQ(Placed(processor("AVR")).of({32, 16, 8}), "r22+r23+r24+r25 r20+r21 r18");
+  EXPECT_EQ(Placed(processor("AVR")).of({64, 64, 32, 16}),
+            "r18+r19+r20+r21+r22+r23+r24+r25 r10+r11+r12+r13+r14+r15+r16+r17 [3]+[4]+[5]+[6] "
+            "[7]+[8]");
+}
+
+TEST(OtherProcessors, AnS390xHasAddressesOf64BitsAndFloatingPoint) {
+  const ScratchFolder folder;
+  // long away(long a, long b) { long p = a * b; return (p + 0x8000 + (p >> 63)) >> 16; } adds by
+  // LAY.
+  const std::string away = "b90c0023eb12003f000ae32210000871eb220010000a07fe";
+  expect(judge(folder.write("f.elf", linked(processor("s390x"), away)),
+               "--as|mul|--cases|1000|--frame|long, long -> long"),
+         0, {"half-away, the rounding that fits best", "AGREES on 1,000 cases\n"});
+  // int sum(int a, int b) { return (int)((double)a + b); }
+  const std::string sum = "b3950023b3950002b31a0002b3995020b914002207fe";
+  expect(judge(folder.write("f.elf", linked(processor("s390x"), sum)), "--as|add|--cases|1000"), 0,
+         {"AGREES on 1,000 cases\n"});
 }
 
 TEST(OtherProcessors, AFrameOfRegisters) {
@@ -170,10 +177,50 @@ TEST(OtherProcessors, HowACallEnds) {
   expect_end("RISC-V of 32 bits", "03250000", "uses memory at 0h, where there is none, at 10000h");
   // divu.w #0, d0; rts
   expect_end("68000", "80fc00004e75", "100 cases raise a divide error (#DE)");
-  for (const Code& code : other_processors::all) {
+  for (const Code& code : present()) {
     const auto run = judge(folder.write("f.elf", linked(code, "")), "--as|mul|--cases|100");
     EXPECT_NE(run.status, 0) << code.name;
   }
+}
+
+TEST(OtherProcessors, AFrameOfTheRegistersOfAnAvr) {
+  const Code& avr = processor("AVR");
+  if (!is_present(avr)) GTEST_SKIP() << "simavr is not installed";
+  const ScratchFolder folder;
+  const std::string file = folder.write("f.elf", linked(avr, avr.mul));
+  const auto frame = [&](const std::string& text) {
+    return judge(file, "--as|mul|--cases|500|--frame|" + text);
+  };
+  const std::string first = "r25:r24:r23:r22";
+  expect(frame("r21:r20:r19:r18, " + first + " -> " + first), 0, {"AGREES on 500 cases"});
+  expect(frame("r21:r20:r18:r19, " + first + " -> " + first), 1, {"WRONG in"});
+  command::expect_usage_error(frame("r24, r25 -> r24"),
+                              "a place has 8 bits, and a number has 32; write several registers "
+                              "like r1:r0, the highest first");
+}
+
+TEST(OtherProcessors, VariablesOfAnAvrAreInItsMemoryForData) {
+  const Code& avr = processor("AVR");
+  if (!is_present(avr)) GTEST_SKIP() << "simavr is not installed";
+  const ScratchFolder folder;
+  // add r22, r18; adc r23, r19; adc r24, r20; adc r25, r21; lds r18, 100h; add r22, r18;
+  // adc r23, r1; adc r24, r1; adc r25, r1; ret
+  const std::string code = bytes_of_hex("620f731f841f951f20910001620f711d811d911d0895");
+  const auto verdict = [&](const char* variable, std::uint32_t at) {
+    const elf_of::File file{.machine = EM_AVR,
+                            .flags = 5,
+                            .parts = {{0x80, code}, {at, bytes_of_hex(variable)}},
+                            .functions = {{"f", 0x80}}};
+    return judge(folder.write("firmware.elf", elf_of::Writer(file).write()),
+                 "--as|add|--overflow|wrap|--cases|2000");
+  };
+  expect(verdict("00", 0x800100), 0, {"AGREES on 2,000 cases"});
+  expect(verdict("01", 0x800100), 1, {"every wrong result is 1 ulp too high: all 2,000"});
+  command::expect_usage_error(verdict("01", 0x80FF00),
+                              "the variables at 80ff00h to 80ff01h are outside the memory for "
+                              "data, 800000h to 80f370h");
+  // The fuses are no memory.
+  expect(verdict("01", 0x820000), 1, {"USES FOREIGN MEMORY: f+8h at 0088h reads 800100h"});
 }
 
 TEST(OtherProcessors, WhatIsThereForX86Only) {

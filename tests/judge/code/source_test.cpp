@@ -77,6 +77,17 @@ void expect_refused(const std::string& text, const std::string& message) {
   EXPECT_EQ(files_in(fs::path(source).parent_path()), 1U);
 }
 
+TEST(Sources, ACompilerWithoutACLibrary) {
+  const ScratchFolder folder;
+  const std::string source = folder.write("f.c", "#include <stdint.h>\n");
+  const std::string compiler = folder.write(
+      "cc.sh",
+      "echo 'stdint.h:9:16: fatal error: stdint.h: No such file or directory' >&2; exit 1");
+  const auto run = command::run(
+      {"env", "CC=bash " + compiler, paths::command(), "judge", source, "--as", "mul"});
+  command::expect_usage_error(run, "No such file or directory; add -ffreestanding to the flags");
+}
+
 TEST(Sources, UseLittleMemoryAndWriteLittle) {
   expect_refused("resb 0x7fffffff", "hostile.asm: nasm");
   expect_refused("section .text\nresb 0x1fffffff", "hostile.asm: nasm");

@@ -141,7 +141,12 @@ TEST(JudgeWide, RelocationsOfObjects) {
   expect(judge(file, as_mul + "|--symbol|mul"), 0, {"AGREES on 5,000 cases"});
   expect(judge(file, as_mul + "|--symbol|calls"), 1,
          {"uses 'other', which the object does not have"});
-  command::expect_usage_error(judge(file, as_mul), "give --symbol; choose one of mul, calls");
+  command::expect_usage_error(
+      judge(file, as_mul),
+      "name the routine as FILE:ROUTINE or with --symbol; choose one of mul, calls");
+  const std::string runtime = "global __library:function\n__library: ret\n";
+  command::expect_usage_error(judge(wide_object(folder, runtime + source), as_mul),
+                              "choose one of mul, calls, __library");
 }
 
 TEST(JudgeWide, CompiledCodeWithAnOffsetTable) {

@@ -53,8 +53,8 @@ TEST(RunCommand, SaysHowAProgramFails) {
   EXPECT_EQ(dies.status, 1);
   expect_contains(dies.out,
                   "), even alone, the program ends by signal 8 "
-                  "(Floating point exception) without a result; it says 'oops'; write one line for "
-                  "every case, DE where there is no result\n");
+                  "(Floating point exception) without a result; it says 'oops'; read cases from "
+                  "standard input, and write one line for each, DE where there is no result\n");
   const auto few = run_of(plain("mul") + " | head -n 7", "--as mul --cases 2000");
   expect_contains(few.out,
                   " the program ends with status 0 without a result, after 7 results; read cases "
@@ -69,6 +69,14 @@ TEST(RunCommand, SaysHowAProgramFails) {
   expect_usage_error(run_of("./no_such_program", "--as mul"), "the shell cannot run it: ");
 }
 
+TEST(RunCommand, AProgramThatKeepsSomething) {
+  const auto run = run_of("awk '{ printf \"%08x\\n\", n++ % 251 }'", "--as mul --cases 50000");
+  EXPECT_EQ(run.status, 1) << run.err;
+  expect_contains(run.out,
+                  " the result differs from run to run: the program keeps something from case to "
+                  "case, or reads registers or memory that nothing sets\n");
+}
+
 TEST(RunCommand, RefusesOptionsWithoutEffect) {
   expect_refused("judge --as mul", "Name the file of a routine, or a program: --run");
   expect_refused("judge mine.o --run cat --as mul", "--run and a file both name what to judge");
@@ -78,7 +86,7 @@ TEST(RunCommand, RefusesOptionsWithoutEffect) {
     expect_refused(fmt::format("judge --run cat --as mul {}", text),
                    text.substr(0, text.find(' ')));
   }
-  expect_refused("judge mine.o --as mul --to q8_8", "--to requires --run");
+  expect_refused("judge mine.o --as mul --processes 2", "--processes requires --run");
   expect_refused("judge mine.o --as mul --timeout 3", "--timeout requires --prove or --run");
   expect_refused("judge --run cat", "name with --as what the program computes");
   expect_refused("judge --run cat --as ?", "name with --as what the program computes");

@@ -9,8 +9,8 @@ NEEDS_MORE = ("numpy", "hypothesis")
 
 
 def failures(more):
-    """Runs the examples in their order, with `more` those that need other packages too. Returns how many
-    ran, and what failed as text."""
+    """Runs the examples in their order, with `more` those that need other packages too. Returns how
+    many ran, and what failed as text."""
     names, said = {}, []
     runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS, verbose=False)
     text = PAGE.read_text()

@@ -1,4 +1,5 @@
-"""Arithmetic to be judged: right, and with planted defects. Operands and results are words of q16_16."""
+"""Arithmetic to be judged: right, and with planted defects. Operands and results are words of
+q16_16."""
 MASK = 0xFFFFFFFF
 
 

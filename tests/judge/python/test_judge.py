@@ -150,8 +150,10 @@ class Formats(unittest.TestCase):
     def test_ranges(self):
         for name, low, high, one, dtype in [
                 ("q16_16", -2**31, 2**31 - 1, 65536, "int32"), ("u8_8", 0, 65535, 256, "uint16"),
-                ("q2_16", -2**17, 2**17 - 1, 65536, "int32"), ("q-4_20", -32768, 32767, 2**20, "int16"),
-                ("ud32_2", 0, 2**32 - 1, 100, "uint32"), ("q20_-2", -2**17, 2**17 - 1, 0.25, "int32")]:
+                ("q2_16", -2**17, 2**17 - 1, 65536, "int32"),
+                ("q-4_20", -32768, 32767, 2**20, "int16"),
+                ("ud32_2", 0, 2**32 - 1, 100, "uint32"),
+                ("q20_-2", -2**17, 2**17 - 1, 0.25, "int32")]:
             format = fixproof.Format(name)
             self.assertEqual((format.lowest, format.highest, format.one, format.dtype),
                              (low, high, one, dtype), name)
@@ -236,7 +238,8 @@ class Refusals(unittest.TestCase):
         for module, name in (("numpy", "_arrays"), ("hypothesis", "strategies")):
             with mock.patch.dict(sys.modules, {module: None, f"fixproof.{name}": None}):
                 del sys.modules[f"fixproof.{name}"]
-                with self.assertRaisesRegex(fixproof.Error, f"install it .Debian: python3-{module}"):
+                message = f"install it .Debian: python3-{module}"
+                with self.assertRaisesRegex(fixproof.Error, message):
                     __import__(f"fixproof.{name}")
 
 

@@ -55,7 +55,8 @@ class Arrays(unittest.TestCase):
     def test_results_that_are_no_words(self):
         np = self.np
         for function, format, message in [
-                (lambda a, b: a * 0.5, "q16_16", "returned an array of float64; return integers in units"),
+                (lambda a, b: a * 0.5, "q16_16",
+                 "returned an array of float64; return integers in units"),
                 (lambda a, b: a[1:], "q16_16", "shape (99,) for operands of shape (100,)"),
                 (lambda a, b: 3, "q16_16", "shape () for operands of shape (100,)"),
                 (lambda a, b: None, "q16_16", "shape () for operands"),
@@ -64,7 +65,8 @@ class Arrays(unittest.TestCase):
                 (lambda a, b: np.full(a.shape, 2**63, np.uint64), "q32_32",
                  "case 1: <lambda> returned 9223372036854775808 for (4, -2047), which is no word"),
                 (lambda a, b: np.full(a.shape, -1, np.int64), "u0_64", "returned -1 for ("),
-                (lambda a, b: 1 // 0, "q16_16", "raised ZeroDivisionError for a whole array; return a mask")]:
+                (lambda a, b: 1 // 0, "q16_16",
+                 "raised ZeroDivisionError for a whole array; return a mask")]:
             with self.assertRaises(fixproof.Error) as caught:
                 fixproof.judge(function, "mul", format=format, cases=100, arrays=True)
             self.assertIn(message, str(caught.exception))
@@ -75,7 +77,8 @@ class Pytest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             Path(folder, "test_mine.py").write_text(
                 "import fixproof, subjects\n"
-                "def test_right():\n    fixproof.assert_right(subjects.floor, 'mul', rounding='floor',"
+                "def test_right():\n"
+                "    fixproof.assert_right(subjects.floor, 'mul', rounding='floor',"
                 " cases=2000)\n"
                 "def test_wrong():\n    fixproof.assert_right(subjects.lost_carry, 'mul',"
                 " rounding='half-up', cases=2000)\n")
@@ -156,13 +159,14 @@ class Wheel(unittest.TestCase):
             shutil.copytree(ROOT / "judge/python", Path(folder, "source"),
                             ignore=shutil.ignore_patterns("build", "*.egg-info", "__pycache__"))
             run = subprocess.run([sys.executable, "-m", "pip", "wheel", "--no-build-isolation",
-                                  "--no-deps", "--no-index", "-w", folder, str(Path(folder, "source"))],
+                                  "--no-deps", "--no-index", "-w", folder,
+                                  str(Path(folder, "source"))],
                                  capture_output=True, text=True)
             self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
             wheel = Path(folder, name)
             files = set(zipfile.ZipFile(wheel).namelist())
-            sources = {f"fixproof/{file.name}" for file in (ROOT / "judge/python/fixproof").iterdir()
-                       if file.is_file()}
+            package = ROOT / "judge/python/fixproof"
+            sources = {f"fixproof/{file.name}" for file in package.iterdir() if file.is_file()}
             self.assertEqual({file for file in files if ".dist-info/" not in file}, sources)
             said = subprocess.run(
                 [sys.executable, "-c", "import fixproof, sys; print(fixproof.__file__, fixproof."

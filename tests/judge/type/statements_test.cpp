@@ -37,7 +37,7 @@ struct Followed {
       : goal(followed), image(load_bytes("type.o", object, {.symbol = followed.symbol})) {
     Listing listing(image);
     const Signature& s = goal.signature;
-    const Frame frame = convention_of_64_bits(false, s.operands, s.result_bits);
+    const Frame frame = convention_of_64_bits(false, s);
     SymbolicRun run = run_symbolically(image, frame, s, listing, terms, any_may_hold);
     if (run.obstacle.empty()) paths = std::move(run.paths);
   }
