@@ -83,7 +83,7 @@ constexpr std::int64_t below_cube_root(std::uint64_t raw, int fraction_bits) noe
   const std::uint64_t rest = x.m * reciprocals[interval] << 5;
   const std::uint64_t sum =
       sum_of_alternating_series<cube_root_coefficients.size()>(cube_root_coefficients, rest);
-  const auto third = static_cast<unsigned>(exponent % 3);
+  const std::uint32_t third = exponent % 3;
   const std::uint64_t middle = multiply_high(cube_roots[interval], roots_of_powers[third]);
   const std::uint64_t root = middle + multiply_high(middle, multiply_high(rest, sum));
   return static_cast<std::int64_t>(root >> (61 - exponent / 3));

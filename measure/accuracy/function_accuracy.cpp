@@ -98,6 +98,30 @@ Float library_function(cases::Operation operation, Float x, Float y, Float z) {
       return x * y / z;
     case hypot3:
       return std::hypot(x, y, z);
+    case exp10:
+      return std::pow(Float(10), x);
+    case asinh:
+      return std::asinh(x);
+    case acosh:
+      return std::acosh(x);
+    case atanh:
+      return std::atanh(x);
+    case asin_in_degrees:
+      return std::asin(x) / degree;
+    case acos_in_degrees:
+      return std::acos(x) / degree;
+    case atan_in_degrees:
+      return std::atan(x) / degree;
+    case asin_in_turns:
+      return std::asin(x) / turn;
+    case acos_in_turns:
+      return std::acos(x) / turn;
+    case atan_in_turns:
+      return std::atan(x) / turn;
+    case atan2_in_degrees:
+      return std::atan2(x, y) / degree;
+    case atan2_in_turns:
+      return std::atan2(x, y) / turn;
     default:
       throw std::invalid_argument("not a function");
   }

@@ -78,32 +78,79 @@ Seen expect_endings_of_all() {
 // The sets are those of the functions that have such operands in the format.
 TEST(FunctionErrors, Of16FractionBits) {
   const Seen seen = expect_endings_of_all<q16_16_trapping>();
-  EXPECT_EQ(seen.domain_errors, (Names{"log", "log2", "log10", "log1p", "rsqrt", "reciprocal",
-                                       "tan_of_degrees", "tan_of_turns", "asin", "acos", "pow"}));
+  EXPECT_EQ(seen.domain_errors,
+            (Names{"log", "log2", "log10", "log1p", "rsqrt", "reciprocal", "tan_of_degrees",
+                   "tan_of_turns", "asin", "acos", "pow", "acosh", "atanh", "asin_in_degrees",
+                   "acos_in_degrees", "asin_in_turns", "acos_in_turns"}));
   EXPECT_EQ(seen.overflow_errors, (Names{"exp", "exp2", "expm1", "sinh", "cosh", "tan_of_degrees",
-                                         "reciprocal", "hypot", "pow"}));
+                                         "reciprocal", "hypot", "pow", "exp10"}));
 }
 
 TEST(FunctionErrors, Of30FractionBits) {
   const Seen seen = expect_endings_of_all<number<std::int32_t, 30, policies::trapping>>();
-  EXPECT_EQ(seen.domain_errors, (Names{"log", "log2", "log10", "log1p", "rsqrt", "reciprocal",
-                                       "tan_of_turns", "asin", "acos", "pow"}));
-  EXPECT_EQ(seen.overflow_errors,
-            (Names{"exp", "exp2", "expm1", "log", "log2", "log10", "log1p", "sinh", "cosh", "tan",
-                   "tan_of_turns", "acos", "rsqrt", "reciprocal", "atan2", "hypot", "pow"}));
+  EXPECT_EQ(seen.domain_errors,
+            (Names{"log", "log2", "log10", "log1p", "rsqrt", "reciprocal", "tan_of_turns", "asin",
+                   "acos", "pow", "acosh", "atanh", "asin_in_degrees", "acos_in_degrees",
+                   "asin_in_turns", "acos_in_turns"}));
+  EXPECT_EQ(seen.overflow_errors, (Names{"exp",
+                                         "exp2",
+                                         "expm1",
+                                         "log",
+                                         "log2",
+                                         "log10",
+                                         "log1p",
+                                         "sinh",
+                                         "cosh",
+                                         "tan",
+                                         "tan_of_turns",
+                                         "acos",
+                                         "rsqrt",
+                                         "reciprocal",
+                                         "atan2",
+                                         "hypot",
+                                         "pow",
+                                         "exp10",
+                                         "atanh",
+                                         "asin_in_degrees",
+                                         "acos_in_degrees",
+                                         "atan_in_degrees",
+                                         "atan2_in_degrees"}));
 }
 
 TEST(FunctionErrors, Of15FractionBitsIn16) {
   const Seen seen = expect_endings_of_all<number<std::int16_t, 15, policies::trapping>>();
-  EXPECT_EQ(seen.domain_errors,
-            (Names{"log", "log2", "log10", "log1p", "rsqrt", "reciprocal", "tan_of_turns", "pow"}));
+  EXPECT_EQ(seen.domain_errors, (Names{"log", "log2", "log10", "log1p", "rsqrt", "reciprocal",
+                                       "tan_of_turns", "pow", "acosh", "atanh"}));
   // The cosine of 0 is out of range, and so is the cube root of the highest number.
-  EXPECT_EQ(
-      seen.overflow_errors,
-      (Names{"exp",          "exp2",         "expm1",        "log",   "log2", "log10",
-             "log1p",        "sinh",         "cosh",         "cos",   "tan",  "cos_of_degrees",
-             "sin_of_turns", "cos_of_turns", "tan_of_turns", "asin",  "acos", "cbrt",
-             "rsqrt",        "reciprocal",   "atan2",        "hypot", "pow"}));
+  EXPECT_EQ(seen.overflow_errors, (Names{"exp",
+                                         "exp2",
+                                         "expm1",
+                                         "log",
+                                         "log2",
+                                         "log10",
+                                         "log1p",
+                                         "sinh",
+                                         "cosh",
+                                         "cos",
+                                         "tan",
+                                         "cos_of_degrees",
+                                         "sin_of_turns",
+                                         "cos_of_turns",
+                                         "tan_of_turns",
+                                         "asin",
+                                         "acos",
+                                         "cbrt",
+                                         "rsqrt",
+                                         "reciprocal",
+                                         "atan2",
+                                         "hypot",
+                                         "pow",
+                                         "exp10",
+                                         "atanh",
+                                         "asin_in_degrees",
+                                         "acos_in_degrees",
+                                         "atan_in_degrees",
+                                         "atan2_in_degrees"}));
 }
 
 }  // namespace error_test
