@@ -89,8 +89,7 @@ void UnicornMachine::note_access(uc_mem_type type, std::uint64_t address, int si
                 .is_write = type == UC_MEM_WRITE ? 1U : 0U};
   const std::uint64_t at = address - image_.base;
   if (access.is_write == 0 && size <= 4 && at <= memory_.size() - 4) {
-    access.value =
-        static_cast<std::uint32_t>(fetch(memory() + at, size, image_.is_big_endian()));
+    access.value = static_cast<std::uint32_t>(fetch(memory() + at, size, image_.is_big_endian()));
   }
   trace_->accesses.push_back(access);
 }
