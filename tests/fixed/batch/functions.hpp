@@ -45,8 +45,8 @@ constexpr BatchFunction<N> pair_of(const char* name, decltype(BatchFunction<N>::
       #function, [](N x, N y) { return fixproof::function(x, y); }, \
       [](const auto& x, const auto& y, auto& out, auto use) { batch::function(x, y, out, use); }),
 template <class N>
-inline constexpr std::array all_functions{ORACLE_FUNCTIONS_OF_ONE(OF_ONE)
-                                              ORACLE_FUNCTIONS_OF_TWO(OF_TWO)};
+inline constexpr std::array all_functions{ORACLE_SPAN_FUNCTIONS_OF_ONE(OF_ONE)
+                                              ORACLE_SPAN_FUNCTIONS_OF_TWO(OF_TWO)};
 #undef OF_ONE
 #undef OF_TWO
 
