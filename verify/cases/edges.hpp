@@ -7,6 +7,7 @@
 
 #include "verify/cases/format.hpp"
 #include "verify/cases/operation.hpp"
+#include "verify/cases/variant.hpp"
 
 namespace fixproof::cases {
 
