@@ -20,8 +20,9 @@ bool is_right(const check::Rules& rules, const check::JudgedCase& one) {
   return check::keeps(rules, one.operands(), one.said);
 }
 
-/// Finds the simplest wrong case, by shrinking a wrong case. A case that has another result when it
-/// runs again is unsteady, even if the sample of such cases lacks it.
+/// Finds a wrong case that is at most as large as the smallest of those that ran, by shrinking it.
+/// A case that has another result when it runs again is unsteady, even if the sample of such cases
+/// lacks it.
 void find_smallest(const Subject& subject, Verdict& verdict, std::vector<std::uint32_t> words) {
   const check::Rules& rules = verdict.rules;
   Runner runner(subject, verdict.machine);
@@ -38,9 +39,13 @@ void find_smallest(const Subject& subject, Verdict& verdict, std::vector<std::ui
   if (is_right(rules, judged(words))) return note_unsteady();
   const int bits = cases::operand_bits(subject.variant);
   if (bits <= 32) {
-    words = verify::shrink(std::move(words), bits, [&](std::span<const std::uint32_t> tried) {
-      return !is_right(rules, judged(tried));
-    });
+    // A case with fewer ones can have larger numbers.
+    std::vector<std::uint32_t> simplest = verify::shrink(
+        words, bits,
+        [&](std::span<const std::uint32_t> tried) { return !is_right(rules, judged(tried)); });
+    if (check::size_of(subject.variant, simplest) < check::size_of(subject.variant, words)) {
+      words = std::move(simplest);
+    }
   }
   check::JudgedCase smallest = judged(words);
   if (judged(words).said != smallest.said) note_unsteady();

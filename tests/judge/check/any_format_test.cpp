@@ -117,7 +117,7 @@ TEST(CheckAnyFormat, DecimalScales) {
   EXPECT_EQ(wrong.status, 1);
   command::expect_contains(wrong.out, "(0.00000001 0.5): 0000000000000000 expected");
   EXPECT_EQ(evaluated("sqrt --format d64_8", "000000000bebc200"), "00000000086deb2c");  // 2
-  command::expect_refused("eval sin --format d32_4", "a unit from 2^-32 to 1, which d32_4 is not");
+  command::expect_refused("eval sin --format d32_4", "a unit from 2^-64 to 1, which d32_4 is not");
 }
 
 TEST(CheckAnyFormat, SumsAreRoundedOnce) {

@@ -152,9 +152,10 @@ TEST(FunctionCases, FormatsWithoutTheFunctionAreRefused) {
     EXPECT_THROW(cases::check_format(operation, cases::format_named(format)), support::UsageError);
   };
   refused(Operation::remainder, "u8_8");
-  refused(Operation::hypot3, "q32_32");
+  refused(Operation::hypot3, "d32_4");
   EXPECT_NO_THROW(cases::check_format(Operation::fmod, cases::format_named("u32_32")));
   EXPECT_NO_THROW(cases::check_format(Operation::mul_div, cases::format_named("q32_32")));
+  EXPECT_NO_THROW(cases::check_format(Operation::hypot3, cases::format_named("q32_32")));
 }
 
 /// Whether level 1 finds a party whose answers `answer` makes from the operands and the right word.
