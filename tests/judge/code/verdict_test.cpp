@@ -59,7 +59,7 @@ TEST(Judge, JudgesByTheRuleOfAProgram) {
           "rounding         toward-zero on all 1,039,204 cases in range"});
   // A product by a number in two's complement is another one.
   expect(judge(routine("mul_c"), "--as|mul|--rule|wolf3d|--cases|20000"), 1,
-         {"smallest: 00000002 00004000 (0.00003 0.25): 00000000 expected, 00000001 said"});
+         {"smallest: 00000003 ffffffff (0.00005 -0.99998): fffffffe expected, 00000000 said"});
   expect(judge(routine("doom_div"),
                "--bits|32|--frame|eax, ebx -> eax|--as|div|--rule|chocolate-doom"),
          1, {"follows the rule doom on all 1,039,204 cases", ": 00000000 expected, DE said"});
