@@ -22,10 +22,9 @@ std::optional<Operation> operation_named(std::string_view name);
 
 /// The rounding rules, with the type's default first.
 inline constexpr std::array rules{rounding::half_up, rounding::half_away, rounding::half_even,
-                                  rounding::floor,   rounding::truncate,  rounding::ceiling};
-inline constexpr std::array<std::string_view, 6> rule_names{"half up",      "half away from zero",
-                                                            "half to even", "down (floor)",
-                                                            "toward zero",  "up (ceiling)"};
+                                  rounding::floor, rounding::truncate};
+inline constexpr std::array<std::string_view, 5> rule_names{
+    "half up", "half away from zero", "half to even", "down (floor)", "toward zero"};
 
 /// What a format reads from a decimal text.
 struct Reading {

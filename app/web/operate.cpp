@@ -18,7 +18,7 @@ using oracle::Integer;
 
 constexpr std::array oracle_rules{oracle::Rounding::half_up,   oracle::Rounding::half_away,
                                   oracle::Rounding::half_even, oracle::Rounding::floor,
-                                  oracle::Rounding::truncate,  oracle::Rounding::ceiling};
+                                  oracle::Rounding::truncate};
 
 /// Returns the exact result in units, as a fraction. Returns nothing for a zero divisor, and for a
 /// root, which may be irrational.
