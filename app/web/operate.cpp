@@ -16,7 +16,7 @@ namespace {
 
 using oracle::Integer;
 
-constexpr std::array oracle_rules{oracle::Rounding::half_up,   oracle::Rounding::half_away,
+constexpr std::array oracle_rules{oracle::Rounding::half_up, oracle::Rounding::half_away,
                                   oracle::Rounding::half_even, oracle::Rounding::floor,
                                   oracle::Rounding::truncate};
 
