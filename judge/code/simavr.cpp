@@ -198,6 +198,9 @@ class Simavr final : public Machine {
     void operator()(avr_t* avr) const {
       avr->flash = avr->data = nullptr;
       avr_terminate(avr);
+      // avr_terminate() keeps what avr_init() makes for interrupts.
+      avr_free_irq(avr->interrupts.irq, AVR_INT_IRQ_COUNT);
+      std::free(avr->irq_pool.irq);  // NOLINT(*-no-malloc,*-owning-memory): simavr's realloc()
       delete avr;  // NOLINT(cppcoreguidelines-owning-memory): that of the unique_ptr
     }
   };
