@@ -68,10 +68,10 @@ struct policy {
   /// Rounding of roots, exponentials, sines and other functions: nearest, floor, ceiling or
   /// truncate. The last three give bounds of the exact result; see docs/functions.md.
   rounding functions = rounding::nearest;
-  /// For code that is moved from plain integers, and only until it is. Whoever reads `x * n` or
-  /// `(int)x` in such code cannot tell whether stored integers or values are meant. So integers and
-  /// floating-point numbers are no operands, and convert by name alone: from_raw(n) and x.raw(), or
-  /// for values by the type without this rule, as in q16_16(x).
+  /// For code that is moved from plain integers. A reader of `x * n` or `(int)x` there cannot tell
+  /// stored integers from values. So integers and floating-point numbers are no operands.
+  /// Conversions have names: from_raw(n) and x.raw() for stored integers, and q16_16(x), the type
+  /// without this rule, for values.
   bool moving = false;
 
   /// The overflow rule of products.

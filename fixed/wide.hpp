@@ -82,8 +82,8 @@ template <class Number, detail::integer Int>
 ///
 /// It has room for 2^62 terms of any value, or for Terms. A program that promises few terms gets a
 /// sum of 32 or 64 bits, if that holds them all. Beyond Terms, the sum is still exact as long as it
-/// fits. A sum that does not fit executes a trap instruction, under every policy, and in a constant
-/// expression it does not compile.
+/// fits. One that does not fit executes a trap instruction, under every policy, and does not
+/// compile in a constant expression. A sum of over 64 bits has room for 2^62 and is not checked.
 ///
 ///     static_assert([] {
 ///       accumulator<q2_30> sum;  // a biquad filter with coefficients beyond 1

@@ -71,7 +71,7 @@ constexpr bool divides_in_double = hardware_double && sizeof(void*) < sizeof(dou
 #endif
 
 /// Whether operator/ takes a quotient from divisions of 32 bits: processors without double and
-/// registers of 64 bits call a function of a kilobyte for each longer division.
+/// without registers of 64 bits call a function of a kilobyte for each longer division.
 constexpr bool divides_in_words = !hardware_double && sizeof(void*) < sizeof(double);
 
 // The compiler's, because <cmath> takes a seventh of the time to compile fixed.hpp. Not called if

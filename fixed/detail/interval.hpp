@@ -28,8 +28,8 @@ struct interval_ulps {
 /// The numbers (M +- radius) 2^(exponent - 32 n) with a sign, where M is an integer of n digits.
 ///
 /// A number that loses its first bits to a difference loses as many of its last digits, so that the
-/// first bit of M is 1 and the radius is small. Only 0 and numbers of which less than
-/// fewest_digits are known have another first bit.
+/// first bit of M is 1 and the radius is small. If the first bit is 0, the number is 0, or fewer
+/// than fewest_digits of its digits are known.
 class interval {
  public:
   static constexpr std::size_t most_digits = 18;

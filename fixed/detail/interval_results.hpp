@@ -75,7 +75,7 @@ constexpr int128 certain_ulps(int fraction_bits, const Compute& compute) noexcep
     interval_ulps ulps{};
     if constexpr (is_bound<Rounding>) {
       ulps = result.template directed_ulps<Rounding>(fraction_bits);
-      // The result is that integer, because no other is so near to one.
+      // Taken as that integer; docs/functions/interval.md says what is proven of this.
       if (!ulps.is_decided && digits == interval::most_digits) {
         ulps = result.nearest_ulps(fraction_bits);
       }

@@ -35,7 +35,7 @@ template <>
 inline constexpr bool is_half_float<__fp16> = true;
 #endif
 
-/// A type of which every value is a double.
+/// A type whose values are all doubles.
 template <class Type>
 concept narrow_float = is_half_float<std::remove_cv_t<Type>> ||
     (std::is_floating_point_v<Type> && !binary_float<Type> &&

@@ -33,8 +33,8 @@ class CallOperands {
   /// Reads the results behind pointers.
   void take(const std::uint8_t* memory, std::span<std::uint32_t> words) const;
 
-  /// Puts a result, of which only the integer that stores a word counts, into the words of an
-  /// answer. An integer that stores no word keeps bits above the word.
+  /// Stores a result as the words of an answer. Only the integer that stores a word counts. If its
+  /// upper bits are no copies of the sign, they are kept, so that the answer is no word.
   void give(std::uint64_t result, std::span<std::uint32_t> words) const;
 
  private:
