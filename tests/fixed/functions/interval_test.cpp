@@ -1,9 +1,9 @@
 /// Tests intervals alone: operands of functions give no interval with an end that is an integer.
 #include "fixed/detail/interval.hpp"
 
-#include <cstddef>
-
 #include <gtest/gtest.h>
+
+#include <cstddef>
 
 #include "fixed/detail/interval_rounding.hpp"
 
