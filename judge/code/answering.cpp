@@ -52,6 +52,7 @@ class Pass {
       : subject_(subject), options_(options), verdict_(verdict), runner_(subject, on) {}
 
   /// @return false if a call got stuck
+  /// @throws support::Stopped after an interrupt; then the cases so far are noted
   bool run(const OnAnswer& on_answer) {
     const std::size_t in = words_in(subject_.variant);
     check::GeneratedCases cases(subject_.variant, options_.cases);
@@ -146,9 +147,11 @@ std::string text_of_operands(const cases::Variant& variant, std::span<const std:
   return fmt::format("{} ({})", text, cases::decimal_words(variant, words));
 }
 
-void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& verdict,
-               const std::function<void()>& begin, const OnAnswer& on_answer) {
-  const auto start = std::chrono::steady_clock::now();
+namespace {
+
+/// @throws support::Stopped after an interrupt, with a verdict on the cases so far
+void run_all(const Subject& subject, const VerdictOptions& options, Verdict& verdict,
+             const std::function<void()>& begin, const OnAnswer& on_answer) {
   const std::string no_processor = absence_on_processor(subject.image);
   const std::string no_unicorn = absence_on_unicorn();
   if (!no_processor.empty() && !no_unicorn.empty()) {
@@ -186,6 +189,20 @@ void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& v
       verdict.on_both = pass->sampled_answers().size();
       verdict.is_steady_on_processor = verdict.unsteady.has_value();
     }
+  }
+}
+
+}  // namespace
+
+void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& verdict,
+               const std::function<void()>& begin, const OnAnswer& on_answer) {
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    run_all(subject, options, verdict, begin, on_answer);
+  } catch (const support::Stopped&) {
+    verdict.is_stopped = true;
+    // What failed on the processor may end well on Unicorn, where it did not run any more.
+    verdict.stuck.reset();
   }
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
