@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t cases_of_batch = 16384;
 /// The number of cases that run a second time, with other noise, and on both machines.
 constexpr std::uint64_t twice = 1024;
+/// How often all cases run again if the one that failed does not fail step by step.
+constexpr int most_tries = 2;
 
 std::string_view why(Downfall downfall) {
   switch (downfall) {
@@ -163,20 +165,25 @@ void run_all(const Subject& subject, const VerdictOptions& options, Verdict& ver
   begin();
   auto pass = std::make_unique<Pass>(subject, options, verdict, verdict.machine);
   bool done = pass->run(on_answer);
-  if (!done && no_unicorn.empty()) {
-    // The trace shows what happened, and where. If the call ends well on Unicorn, the trouble is
-    // only the processor's.
+  for (int tries = 0; !done && no_unicorn.empty() && tries < most_tries; ++tries) {
+    // The trace shows what happened, and where. If the call ends well there, the trouble is only
+    // the processor's, or the machine was too busy to run the process for seconds.
     const auto call = traced(subject, verdict.stuck->words);
-    if (call) verdict.stuck->ending = call->answer.ending;
-    if (call && ended_well(call->answer) && verdict.machine == On::processor) {
-      const Downfall downfall = pass->runner().downfall();
-      verdict = Verdict{.machine = On::unicorn, .rules = verdict.rules};
-      verdict.note = fmt::format("{} on this processor, but not on Unicorn",
-                                 downfall == Downfall::none ? "it faults" : why(downfall));
-      begin();
-      pass = std::make_unique<Pass>(subject, options, verdict, On::unicorn);
-      done = pass->run(on_answer);
+    if (!call) break;
+    if (!ended_well(call->answer)) {
+      verdict.stuck->ending = call->answer.ending;
+      break;
     }
+    std::string note = verdict.note;
+    if (verdict.machine == On::processor) {
+      const Downfall downfall = pass->runner().downfall();
+      note = fmt::format("{} on this processor, but not on Unicorn",
+                         downfall == Downfall::none ? "it faults" : why(downfall));
+    }
+    verdict = Verdict{.machine = On::unicorn, .note = std::move(note), .rules = verdict.rules};
+    begin();
+    pass = std::make_unique<Pass>(subject, options, verdict, On::unicorn);
+    done = pass->run(on_answer);
   }
   if (done) {
     compare_again(subject, *pass, pass->runner(), verdict);

@@ -1,11 +1,15 @@
-// Verdicts on the cases so far, after an interrupt.
+// Verdicts on the cases so far, after an interrupt, and on a machine that is busy.
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): kill() is POSIX's
+
 #include <csignal>
+#include <fstream>
 
 #include "judge/code/frame.hpp"
 #include "judge/code/load.hpp"
 #include "judge/code/verdict.hpp"
 #include "support/interrupt.hpp"
 #include "tests/judge/code/judged.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/test.hpp"
 
 namespace stopped_test {
@@ -63,6 +67,31 @@ TEST(Stopped, TheCommandSaysAfterHowManyCases) {
   EXPECT_EQ(run.status, 130) << run.out << run.err;
   command::expect_contains(run.out, "\nSTOPPED after ");
   command::expect_contains(run.out, " of 60,039,204 cases\n");
+}
+
+/// Stops the process that runs a routine, as a busy machine does for seconds.
+void stop_children() {
+  std::ifstream list("/proc/thread-self/children");
+  for (pid_t child = 0; list >> child;) kill(child, SIGSTOP);
+}
+
+TEST(Busy, AProcessThatDoesNotRunForSecondsIsNoEndlessRoutine) {
+  const support::Interrupt none_yet;
+  const ScratchFolder folder;
+  const judge::Image image =
+      judge::load(folder.write("mul.asm", "bits 64\nlea eax, [rdi+rsi]\nret\n"), {});
+  const cases::Variant sum = cases::variant_of(cases::Operation::add, cases::q16_16);
+  const judge::Subject subject{image, judge::frame_for(image, "c", sum), sum};
+  judge::VerdictOptions options{.rules = {.variant = sum}};
+  options.cases.cases = 40'000;
+  int calls = 0;
+  options.progress = [&calls](std::uint64_t, std::uint64_t) {
+    if (calls++ == 0) stop_children();
+  };
+  const judge::Verdict verdict = judge::judge_routine(subject, options);
+  EXPECT_FALSE(verdict.stuck);
+  EXPECT_EQ(verdict.cases, 40'000U);
+  EXPECT_GT(calls, 3) << "all cases ran again";
 }
 
 }  // namespace
