@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 
@@ -52,8 +53,7 @@ void set_rounding(const RuleOptions& options, check::Rules& rules) {
     return;
   }
   if (!options.rounding.empty() && options.rounding != best_rounding) {
-    rules.rounding =
-        rule_named("--rounding", options.rounding, check::roundings(), {}, check::faithful);
+    rules.rounding = rounding_named(options.rounding);
     return;
   }
   if (!check::is_rounded(rules.variant) || options.rounding == best_rounding) return;
@@ -88,6 +88,18 @@ void refuse_idle_options(const CLI::App& command, const RuleOptions& options,
 }
 
 }  // namespace
+
+oracle::Rounding rounding_named(std::string_view text) {
+  constexpr std::array<std::string_view, 4> to_nearest{"nearest", "to-nearest", "round", "half"};
+  if (std::ranges::find(to_nearest, text) != to_nearest.end()) {
+    throw support::UsageError(
+        fmt::format("--rounding {}: to nearest needs a rule for ties; choose half-up, half-away or "
+                    "half-even",
+                    text));
+  }
+  return rule_named("--rounding", text, check::roundings(), {},
+                    fmt::format("{}, {}", check::faithful, best_rounding));
+}
 
 check::Within within_of(std::string_view text) {
   const std::string whole(text);

@@ -21,6 +21,10 @@ struct RuleOptions {
   std::string outside_domain = "de";
 };
 
+/// Returns the rounding of a name, which is neither `faithful` nor `best`.
+/// @throws UsageError for any other text, with the roundings that there are
+oracle::Rounding rounding_named(std::string_view text);
+
 /// Returns the bound of --within: a number of ulps, or a percentage of the exact result.
 /// @throws UsageError for any other text
 check::Within within_of(std::string_view text);

@@ -1,9 +1,12 @@
 #include "app/cli/command_line.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <boost/noncopyable.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -53,6 +56,16 @@ void accept_help(std::vector<std::string>& arguments) {
   arguments.emplace_back("--help");
 }
 
+/// Returns the exit status of a command whose output is lost. A reader that has read enough, such
+/// as head, is no error: the status is the shell's for a program that SIGPIPE ends.
+int status_of_lost_output() {
+  constexpr int ended_by_pipe = 128 + SIGPIPE;
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  if (::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0) return ended_by_pipe;
+  print_error(OutputLost().what());
+  return 2;
+}
+
 /// @throws std::bad_alloc
 int run(std::vector<std::string> arguments, AddCommands& add_commands) {
   CLI::App app{
@@ -85,6 +98,8 @@ int run(std::vector<std::string> arguments, AddCommands& add_commands) {
   } catch (const support::Stopped&) {
     print_error("stopped");
     return support::interrupted_status;
+  } catch (const OutputLost&) {
+    return status_of_lost_output();
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
@@ -95,8 +110,7 @@ int run(std::vector<std::string> arguments, AddCommands& add_commands) {
   // Flushing reveals a full disk or a closed pipe.
   std::cout.flush();
   if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    print_error("cannot write standard output");
-    return 2;
+    return status_of_lost_output();
   }
   return status;
 }

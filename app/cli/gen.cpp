@@ -50,7 +50,7 @@ class LineOutput {
       } else if (errno == EPIPE) {
         return false;
       } else if (errno != EINTR) {
-        throw support::UsageError("cannot write standard output");
+        throw OutputLost();
       }
     }
     return true;

@@ -52,20 +52,22 @@ cases::Operation operation_of(std::string_view name) {
   return operation;
 }
 
-/// Takes FILE:FUNCTION apart, unless there is a file of that name.
+/// Takes FILE:FUNCTION apart, unless there is a file of that name. A name of C++ has colons, too.
 JudgeOptions with_symbol(JudgeOptions options) {
-  const std::size_t colon = options.file.rfind(':');
   std::error_code none;
-  if (colon == std::string::npos || std::filesystem::exists(options.file, none)) return options;
-  const std::string file = options.file.substr(0, colon);
-  const std::string symbol = options.file.substr(colon + 1);
-  if (symbol.empty() || !std::filesystem::is_regular_file(file, none)) return options;
+  if (std::filesystem::exists(options.file, none)) return options;
+  std::size_t colon = options.file.rfind(':');
+  while (colon != std::string::npos && colon > 0 &&
+         !std::filesystem::is_regular_file(options.file.substr(0, colon), none)) {
+    colon = options.file.rfind(':', colon - 1);
+  }
+  if (colon == std::string::npos || colon == 0 || colon + 1 == options.file.size()) return options;
   if (!options.symbol.empty()) {
     throw support::UsageError(fmt::format("{} and --symbol both name the routine; leave one out",
                                           support::quoted(options.file)));
   }
-  options.file = file;
-  options.symbol = symbol;
+  options.symbol = options.file.substr(colon + 1);
+  options.file.resize(colon);
   return options;
 }
 
@@ -88,7 +90,7 @@ void expect_x86(const JudgeOptions& options, const judge::Image& image) {
         std::tuple{options.clocks, "--clocks", "; the number of instructions is always printed"}}) {
     if (!is_given) continue;
     throw support::UsageError(fmt::format("{} is for x86, and this is code for {}{}", name,
-                                          image.architecture->name, instead));
+                                          judge::code_name(image), instead));
   }
 }
 
@@ -140,6 +142,7 @@ cases::Operation ask_operation(const JudgeOptions& options, const judge::Image& 
                    .no_result = check::NoResult::any};
     trial.cases.cases = cases_to_ask;
     const judge::Verdict verdict = judge::judge_routine(subject, trial);
+    if (verdict.is_stopped) throw support::Stopped();
     if (verdict.stuck) continue;
     const check::RuleScore score = verdict.judge->trial().rounding().first;
     if (score.cases == 0) continue;
@@ -234,6 +237,15 @@ int status_of(bool right, const judge::Image& image, const judge::Verdict& verdi
   return 1;
 }
 
+/// Says after how many cases an interrupt came, and returns the exit status.
+int status_of_stopped(const judge::Verdict& verdict, const cases::Variant& variant,
+                      const check::CaseOptions& cases, bool right) {
+  const std::uint64_t all = check::GeneratedCases(variant, cases).count().value_or(0);
+  std::cout << fmt::format("\nSTOPPED after {} of {} cases\n", support::grouped(verdict.cases),
+                           support::grouped(all));
+  return right ? support::interrupted_status : 1;
+}
+
 /// Judges a routine whose results have several words, and returns the exit status.
 int judge_whole_results(const JudgeOptions& options, const judge::Subject& subject,
                         const judge::VerdictOptions& use,
@@ -242,10 +254,13 @@ int judge_whole_results(const JudgeOptions& options, const judge::Subject& subje
   const judge::WholeVerdict whole = judge::judge_whole(subject, use);
   progress.reset();
   std::cout << heading_text(subject, options.file, rules_line(use.rules, Rounding::given))
-            << whole_text(subject, whole);
+            << (whole.verdict.cases > 0 || whole.verdict.stuck ? whole_text(subject, whole) : "");
   if (whole.verdict.stuck) return status_of(false, subject.image, whole.verdict);
-  const bool right = print_inspection(subject) && whole.verdict.is_right() &&
-                     whole.candidates.front().exceptions == 0;
+  bool right = whole.verdict.is_right() && whole.candidates.front().exceptions == 0;
+  if (whole.verdict.is_stopped) {
+    return status_of_stopped(whole.verdict, subject.variant, use.cases, right);
+  }
+  right = print_inspection(subject) && right;
   if (options.clocks) print_clocks(subject);
   return status_of(right, subject.image, whole.verdict);
 }
@@ -285,12 +300,16 @@ int judge_file(const JudgeOptions& given, const CLI::App& command) {
   use.rounding_is_open = is_open(options) && check::is_rounded(variant);
   const judge::Verdict verdict = judge::judge_routine(subject, use);
   progress.reset();
-  const Rounding rounding = !use.rounding_is_open            ? Rounding::given
-                            : verdict.stuck || verdict.state ? Rounding::unknown
-                                                             : Rounding::fitting;
+  const bool has_verdict = verdict.cases > 0 || verdict.stuck;
+  const Rounding rounding = !use.rounding_is_open                            ? Rounding::given
+                            : verdict.stuck || verdict.state || !has_verdict ? Rounding::unknown
+                                                                             : Rounding::fitting;
   std::cout << heading_text(subject, options.file, rules_line(verdict.rules, rounding))
-            << verdict_text(subject, verdict);
+            << (has_verdict ? verdict_text(subject, verdict) : "");
   if (verdict.stuck) return status_of(false, image, verdict);
+  if (verdict.is_stopped) {
+    return status_of_stopped(verdict, variant, use.cases, verdict.is_right());
+  }
   bool right = print_inspection(subject) && verdict.is_right();
   if (options.clocks) print_clocks(subject);
   if (options.prove && !verdict.state) right = print_proof(options, subject, verdict) && right;

@@ -114,10 +114,9 @@ void JudgeOptions::add_to(CLI::App& command) {
       ->transform(whole_number(1, cases::max_terms))
       ->capture_default_str();
   command
-      .add_option(
-          "--rounding", rounding,
-          "expected rounding: half-up, half-away, half-even, floor, ceiling, toward-zero or "
-          "faithful; by default the one that fits best")
+      .add_option("--rounding", rounding,
+                  "expected rounding: half-up, half-away, half-even, floor, ceiling, toward-zero, "
+                  "faithful, or best, the default, for the one that fits best")
       ->check(not_empty());
   command
       .add_option("--overflow", overflow,
@@ -166,6 +165,12 @@ void JudgeOptions::add_to(CLI::App& command) {
           "00020000'")
       ->check(not_empty());
   listing.add_to(command);
+  command.get_option("--round")->transform(CLI::Validator(
+      [](const std::string& text) {
+        const bool is_known = text == "on" || text == "off";
+        return is_known ? "" : text + " not in {on,off}; did you mean --rounding?";
+      },
+      ""));
   run.add_to(command);
   put_under(command, "What is judged",
             {"--as", "--run", "--symbol", "--at", "--bits", "--frame", "--processes", "--timeout"});

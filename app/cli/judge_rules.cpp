@@ -16,7 +16,8 @@ bool is_whole(cases::Operation operation) {
 }
 
 bool is_open(const JudgeOptions& options) {
-  return options.rounding.empty() && options.rule.empty() && options.within.empty();
+  return (options.rounding.empty() || options.rounding == best_rounding) && options.rule.empty() &&
+         options.within.empty();
 }
 
 check::Rules rules_of(const JudgeOptions& options, const cases::Variant& variant) {
@@ -30,9 +31,9 @@ check::Rules rules_of(const JudgeOptions& options, const cases::Variant& variant
     rules.within = within_of(options.within);
   } else if (options.rounding == check::faithful) {
     rules.faithful = true;
-  } else if (!options.rounding.empty()) {
+  } else if (!options.rounding.empty() && options.rounding != best_rounding) {
     if (!rounds) throw support::UsageError("--rounding applies only to results that are rounded");
-    rules.rounding = rule_named("--rounding", options.rounding, check::roundings());
+    rules.rounding = rounding_named(options.rounding);
   }
   rules.overflow = rule_named("--overflow", options.overflow, check::overflow_rules(),
                               std::optional(check::Overflow::any));

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/cli/judge_rules.hpp"
 #include "app/cli/measure_text.hpp"
 #include "judge/check/verdict_text.hpp"
 #include "support/plain_text.hpp"
@@ -44,6 +45,29 @@ std::string hint_of_types(const judge::Subject& subject) {
   const bool is_named = subject.frame.text.find("->") != std::string::npos;
   if (!is_64 || is_named) return {};
   return "; if it takes types of 64 bits, name them, as in --frame 'long, long -> long'";
+}
+
+/// What a caller may not set, because it takes what the routine takes for numbers.
+std::string hint_of_pointers(const judge::Subject& subject, const judge::Ending& ending) {
+  if (ending.end != judge::End::bad_address || subject.frame.text.find("->") != std::string::npos ||
+      subject.image.missing_at(ending.address) != nullptr || is_whole(subject.variant.operation)) {
+    return {};
+  }
+  const auto pointer = [](const cases::Format& format, std::string_view mark) {
+    return fmt::format("{}int{}_t{}", format.is_signed ? "" : "u", cases::storage_bits(format),
+                       mark);
+  };
+  const cases::Format operand = cases::operand_format(subject.variant);
+  const std::size_t count = cases::operands_of(subject.variant);
+  std::string types;
+  if (subject.variant.operation == cases::Operation::dot) {
+    const std::string array = pointer(operand, fmt::format("[{}]", count / 2));
+    types = fmt::format("{0}, {0}, ", array);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) types += pointer(operand, "*") + ", ";
+  }
+  return fmt::format("; if it takes pointers, name its types, as in --frame '{}{} ->'", types,
+                     pointer(subject.variant.format, "*"));
 }
 
 std::string unsteady_text(const judge::Subject& subject, const judge::Verdict& verdict) {
@@ -154,7 +178,7 @@ std::string heading_text(const judge::Subject& subject, const std::string& file,
                          const std::string& rules) {
   const judge::Image& image = subject.image;
   const std::string code = image.architecture != nullptr
-                               ? fmt::format("{} code", image.architecture->name)
+                               ? fmt::format("{} code", judge::code_name(image))
                                : fmt::format("{}-bit code", image.bits);
   return fmt::format("{}: {}, routine at {:04x}h, {}, frame {}\n{}\n", support::printable(file),
                      image.container, image.entry, code, subject.frame.text, rules);
@@ -164,8 +188,9 @@ std::string calls_text(const judge::Subject& subject, const judge::Verdict& verd
   const judge::Image& image = subject.image;
   std::string text = machine_text(verdict, image);
   if (verdict.stuck) {
-    return text + fmt::format("BROKEN: for {} the routine {}\n", verdict.stuck->operands,
-                              text_of(verdict.stuck->ending, subject.image));
+    return text + fmt::format("BROKEN: for {} the routine {}{}\n", verdict.stuck->operands,
+                              text_of(verdict.stuck->ending, image),
+                              hint_of_pointers(subject, verdict.stuck->ending));
   }
   text += fmt::format("changes registers {}", register_names(verdict.changed, image));
   judge::RegisterMask kept = subject.frame.elsewhere ? subject.frame.elsewhere->kept : 0;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "app/cli/print_error.hpp"
 #include "support/read_line.hpp"
 #include "support/usage_error.hpp"
 
@@ -15,7 +16,7 @@ void write(std::ostream& out, std::string& pending) {
   out.write(pending.data(), static_cast<std::streamsize>(pending.size()));
   out.flush();
   pending.clear();
-  if (!out) throw support::UsageError("cannot write standard output");
+  if (!out) throw OutputLost();
 }
 
 }  // namespace

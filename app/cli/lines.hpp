@@ -14,8 +14,8 @@ namespace fixproof::cli {
 /// lines and lines that start with #, and drops the CR of a CR LF. It writes all pending output
 /// before it waits for input, so that another program can alternate between writing and reading.
 /// @throws UsageError with the line number if `answer` throws one, after writing all earlier
-///         answers, which it also writes before any other exception of `answer`; also if `out`
-///         cannot be written
+///         answers, which it also writes before any other exception of `answer`
+/// @throws OutputLost if `out` cannot be written
 void answer_lines(std::istream& in, std::ostream& out,
                   const std::function<void(std::string_view line, std::string& output)>& answer);
 

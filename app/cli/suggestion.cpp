@@ -47,6 +47,15 @@ std::string suggestion(std::string_view given, const std::vector<std::string>& n
       nearest = name;
     }
   }
+  // Who writes --round may mean --rounding, if that is the only name that goes on so.
+  constexpr std::size_t shortest_beginning = 4;
+  if (nearest.empty() && given.size() >= shortest_beginning) {
+    for (const std::string& name : names) {
+      if (!name.starts_with(given)) continue;
+      if (!nearest.empty()) return "";
+      nearest = name;
+    }
+  }
   return nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
 }
 

@@ -144,7 +144,7 @@ void print_heading(const VerifyOptions& options, const verify::Report& report) {
                              support::grouped(report.chunks_in_shard()));
   }
   std::cout << std::endl;
-  if (!std::cout) throw support::UsageError("cannot write standard output");
+  if (!std::cout) throw OutputLost();
 }
 
 /// The files of a run, locked until it ends.

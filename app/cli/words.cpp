@@ -41,8 +41,15 @@ std::uint64_t word_of(std::string_view text, const cases::Format& format) {
   const auto f = format.as<oracle::Format>();
   const oracle::Integer units = cases::to_ulps(number.exact, oracle::Rounding::half_up, format);
   if (!oracle::fits(units, f)) {
-    throw support::UsageError(fmt::format("{}: out of range, {} has {}", support::quoted(text),
-                                          cases::name_of(format), range_of(format)));
+    // Digits that a person takes for a word are a number unless they are as many as it has.
+    const bool may_be_word =
+        number.decimal == text && text.find_first_not_of("0123456789") == std::string_view::npos;
+    throw support::UsageError(fmt::format(
+        "{}: out of range, {} has {}{}", support::quoted(text), cases::name_of(format),
+        range_of(format),
+        may_be_word ? fmt::format("; a word has {} hexadecimal digits, or fewer after 0x",
+                                  cases::storage_bits(format) / 4)
+                    : ""));
   }
   if (f.fraction_bits == 0 && units * number.exact.denominator != number.exact.numerator)
     throw support::UsageError(fmt::format("{} is not a whole number", support::quoted(text)));

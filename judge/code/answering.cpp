@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t cases_of_batch = 16384;
 /// The number of cases that run a second time, with other noise, and on both machines.
 constexpr std::uint64_t twice = 1024;
+/// How often all cases run again if the one that failed does not fail step by step.
+constexpr int most_tries = 2;
 
 std::string_view why(Downfall downfall) {
   switch (downfall) {
@@ -52,6 +54,7 @@ class Pass {
       : subject_(subject), options_(options), verdict_(verdict), runner_(subject, on) {}
 
   /// @return false if a call got stuck
+  /// @throws support::Stopped after an interrupt; then the cases so far are noted
   bool run(const OnAnswer& on_answer) {
     const std::size_t in = words_in(subject_.variant);
     check::GeneratedCases cases(subject_.variant, options_.cases);
@@ -146,9 +149,11 @@ std::string text_of_operands(const cases::Variant& variant, std::span<const std:
   return fmt::format("{} ({})", text, cases::decimal_words(variant, words));
 }
 
-void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& verdict,
-               const std::function<void()>& begin, const OnAnswer& on_answer) {
-  const auto start = std::chrono::steady_clock::now();
+namespace {
+
+/// @throws support::Stopped after an interrupt, with a verdict on the cases so far
+void run_all(const Subject& subject, const VerdictOptions& options, Verdict& verdict,
+             const std::function<void()>& begin, const OnAnswer& on_answer) {
   const std::string no_processor = absence_on_processor(subject.image);
   const std::string no_unicorn = absence_on_unicorn();
   if (!no_processor.empty() && !no_unicorn.empty()) {
@@ -160,20 +165,25 @@ void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& v
   begin();
   auto pass = std::make_unique<Pass>(subject, options, verdict, verdict.machine);
   bool done = pass->run(on_answer);
-  if (!done && no_unicorn.empty()) {
-    // The trace shows what happened, and where. If the call ends well on Unicorn, the trouble is
-    // only the processor's.
+  for (int tries = 0; !done && no_unicorn.empty() && tries < most_tries; ++tries) {
+    // The trace shows what happened, and where. If the call ends well there, the trouble is only
+    // the processor's, or the machine was too busy to run the process for seconds.
     const auto call = traced(subject, verdict.stuck->words);
-    if (call) verdict.stuck->ending = call->answer.ending;
-    if (call && ended_well(call->answer) && verdict.machine == On::processor) {
-      const Downfall downfall = pass->runner().downfall();
-      verdict = Verdict{.machine = On::unicorn, .rules = verdict.rules};
-      verdict.note = fmt::format("{} on this processor, but not on Unicorn",
-                                 downfall == Downfall::none ? "it faults" : why(downfall));
-      begin();
-      pass = std::make_unique<Pass>(subject, options, verdict, On::unicorn);
-      done = pass->run(on_answer);
+    if (!call) break;
+    if (!ended_well(call->answer)) {
+      verdict.stuck->ending = call->answer.ending;
+      break;
     }
+    std::string note = verdict.note;
+    if (verdict.machine == On::processor) {
+      const Downfall downfall = pass->runner().downfall();
+      note = fmt::format("{} on this processor, but not on Unicorn",
+                         downfall == Downfall::none ? "it faults" : why(downfall));
+    }
+    verdict = Verdict{.machine = On::unicorn, .note = std::move(note), .rules = verdict.rules};
+    begin();
+    pass = std::make_unique<Pass>(subject, options, verdict, On::unicorn);
+    done = pass->run(on_answer);
   }
   if (done) {
     compare_again(subject, *pass, pass->runner(), verdict);
@@ -186,6 +196,20 @@ void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& v
       verdict.on_both = pass->sampled_answers().size();
       verdict.is_steady_on_processor = verdict.unsteady.has_value();
     }
+  }
+}
+
+}  // namespace
+
+void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& verdict,
+               const std::function<void()>& begin, const OnAnswer& on_answer) {
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    run_all(subject, options, verdict, begin, on_answer);
+  } catch (const support::Stopped&) {
+    verdict.is_stopped = true;
+    // What failed on the processor may end well on Unicorn, where it did not run any more.
+    verdict.stuck.reset();
   }
   verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

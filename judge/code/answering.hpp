@@ -14,7 +14,7 @@ using OnAnswer = std::function<void(std::span<const std::uint32_t> words, const 
 
 /// Runs every case on the processor. Runs them on Unicorn instead if the processor cannot run the
 /// code, or if a call fails on the processor and not on Unicorn. Fills in everything in `verdict`
-/// that does not depend on the expected results.
+/// that does not depend on the expected results. After an interrupt it stops with the cases so far.
 /// @param begin called before the first case, and again if the cases start over on Unicorn
 void run_cases(const Subject& subject, const VerdictOptions& options, Verdict& verdict,
                const std::function<void()>& begin, const OnAnswer& on_answer);

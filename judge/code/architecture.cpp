@@ -45,7 +45,7 @@ constexpr std::uint64_t s390x_addresses = 0x1'8000'0000;
 constexpr std::array<unsigned, 8> avr_kinds{2, 25, 3, 31, 35, 4, 5, 51};
 
 constexpr Architecture mips(bool is_big_endian) {
-  return {.name = is_big_endian ? "MIPS, big-endian" : "MIPS",
+  return {.name = is_big_endian ? "big-endian MIPS" : "MIPS",
           .machine = EM_MIPS,
           .is_64 = false,
           .is_big_endian = is_big_endian,

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "support/plain_text.hpp"
 #include "support/split.hpp"
@@ -24,68 +28,112 @@ std::optional<Number> whole_number(std::string_view text) {
   return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
-/// Removes a word and what separates it from the next one.
-bool remove_first(std::string_view& text, std::string_view word) {
-  if (!text.starts_with(word)) return false;
-  const std::string_view rest = text.substr(word.size());
-  if (!rest.empty() && rest.front() != ' ') return false;
-  text = support::trimmed(rest);
-  return true;
-}
-
 /// Returns the bits of an int, which has 16 on a processor whose registers have fewer.
 int bits_of_int(int code_bits) { return std::clamp(code_bits, 16, 32); }
 
-/// Returns the type of a number, as `unsigned long`.
-std::optional<Parameter> number_type(std::string_view text, int code_bits) {
-  remove_first(text, "const");
+/// Returns the type of a number by its words, as `unsigned long`.
+std::optional<Parameter> number_type(std::span<const std::string_view> words, int code_bits) {
   Parameter type;
-  const bool is_unsigned = remove_first(text, "unsigned");
-  const bool has_sign = is_unsigned || remove_first(text, "signed");
-  type.is_signed = !is_unsigned && !text.starts_with("uint");
+  std::string text;
+  bool has_sign = false;
+  for (const std::string_view word : words) {
+    if (word == "unsigned" || word == "signed") {
+      if (has_sign) return std::nullopt;
+      has_sign = true;
+      type.is_signed = word == "signed";
+      continue;
+    }
+    text += fmt::format("{}{}", text.empty() ? "" : " ", word);
+  }
+  if (has_sign && text.empty()) text = "int";
   const int int_bits = bits_of_int(code_bits);
   const std::array<std::pair<std::string_view, int>, 5> names{{{"char", 8},
                                                                {"short", 16},
                                                                {"int", int_bits},
                                                                {"long", std::max(code_bits, 32)},
                                                                {"long long", 64}}};
-  if (has_sign && text.empty()) text = "int";
   for (const auto& [name, bits] : names) {
-    if (text != name) continue;
+    const bool may_have_int = name.ends_with("short") || name.ends_with("long");
+    if (text != name && !(may_have_int && text == fmt::format("{} int", name))) continue;
     type.bits = bits;
     return type;
   }
+  std::string_view fixed = text;
+  if (fixed.starts_with("std::")) fixed.remove_prefix(5);
   for (const int bits : {8, 16, 32, 64}) {
     const std::string name = fmt::format("int{}_t", bits);
-    if (has_sign || (text != name && text != "u" + name)) continue;
+    if (has_sign || (fixed != name && fixed != "u" + name)) continue;
     type.bits = bits;
+    type.is_signed = fixed == name;
     return type;
   }
   return std::nullopt;
 }
 
-/// Returns the type of a place: a number, a pointer, an array, or a constant.
+bool is_identifier(std::string_view text) {
+  return std::ranges::all_of(text,
+                             [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+}
+
+/// The words of a declaration up to its star, how many stars there are, and the words after them.
+/// Words that change no type are left out.
+struct Declaration {
+  std::vector<std::string_view> words{};
+  std::size_t stars = 0;
+  std::vector<std::string_view> after{};
+};
+Declaration declaration_of(std::string_view text) {
+  constexpr std::array<std::string_view, 5> idle{"const", "volatile", "restrict", "__restrict",
+                                                 "register"};
+  Declaration all;
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] == ' ' || text[at] == '*') {
+      if (text[at++] == '*') ++all.stars;
+      continue;
+    }
+    const std::size_t end = std::min(text.find_first_of(" *", at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    at = end;
+    if (std::ranges::find(idle, word) != idle.end()) continue;
+    (all.stars > 0 ? all.after : all.words).push_back(word);
+  }
+  return all;
+}
+
+/// Returns the type of a place: a number, a pointer, an array, or a constant. The name of a
+/// parameter may follow, as in `const int16_t *a`.
 std::optional<Parameter> type_of(const PlaceText& place, int code_bits) {
   if (place.is_pointer || place.parts.size() != 1) return std::nullopt;
   std::string_view text = place.parts.front();
   if (const auto constant = whole_number<std::int32_t>(text)) {
     return Parameter{.bits = bits_of_int(code_bits), .constant = *constant};
   }
-  std::size_t numbers = 0;  // none: no pointer
-  const std::size_t bracket = text.find('[');
-  if (text.ends_with('*')) {
-    numbers = 1;
-    text.remove_suffix(1);
-  } else if (bracket != std::string_view::npos && text.ends_with(']')) {
+  std::size_t numbers = 0;  // none: no array
+  if (const std::size_t bracket = text.find('['); bracket != std::string_view::npos) {
+    if (!text.ends_with(']')) return std::nullopt;
     numbers =
         whole_number<std::size_t>(text.substr(bracket + 1, text.size() - bracket - 2)).value_or(0);
     if (numbers == 0) return std::nullopt;
     text = text.substr(0, bracket);
   }
-  auto type = number_type(support::trimmed(text), code_bits);
-  if (!type || numbers == 0) return type;
+  const Declaration read = declaration_of(text);
+  if (read.stars + (numbers > 0 ? 1 : 0) > 1 || read.after.size() > 1) return std::nullopt;
+  std::span<const std::string_view> words = read.words;
+  auto type = number_type(words, code_bits);
+  const std::string_view name = !read.after.empty() ? read.after[0]
+                                : words.size() > 1  ? words.back()
+                                                    : std::string_view();
+  if (!type && read.after.empty() && !name.empty()) {
+    words = words.first(words.size() - 1);
+    type = number_type(words, code_bits);
+  }
+  const bool is_name = is_identifier(name) && !number_type(std::span(&name, 1), code_bits);
+  if (!type || ((!read.after.empty() || words.size() < read.words.size()) && !is_name)) {
+    return std::nullopt;
+  }
+  if (read.stars == 0 && numbers == 0) return type;
   type->is_pointer = true;
-  type->numbers = numbers;
+  type->numbers = std::max<std::size_t>(numbers, 1);
   return type;
 }
 
@@ -132,7 +180,7 @@ class Reader {
     if (const auto type = type_of(place, code_bits_)) return *type;
     throw UsageError(
         fmt::format("--frame: {} is no type that judge knows; write one such as int32_t, unsigned "
-                    "short, long* or int16_t[2]",
+                    "short, long* or int16_t[2], for a typedef the type that it stands for",
                     support::quoted(place.parts.front())));
   }
 

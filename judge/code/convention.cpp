@@ -78,9 +78,9 @@ class Named {
   [[nodiscard]] std::size_t number_of(std::string_view name) const {
     const auto found = file_.find(name);
     if (found && name != architecture_.stack_pointer) return *found;
-    throw UsageError(
-        fmt::format("--frame: {} is not a register for operands on {}; choose one of {}",
-                    support::quoted(name), architecture_.name, fmt::join(file_.names, ", ")));
+    throw UsageError(fmt::format(
+        "--frame: {} is not a register for operands on {}; choose one of {}, or {}",
+        support::quoted(name), architecture_.name, fmt::join(file_.names, ", "), types_instead));
   }
 
   /// @param taken the registers of the places before it, and after it those of this place, too

@@ -32,8 +32,9 @@ RegisterName register_for_operand(std::string_view text, int code_bits) {
   const bool exists = found && (code_bits == 64 || found->is_legacy());
   if (exists && found->holder() != static_cast<std::size_t>(Register::sp)) return *found;
   throw UsageError(
-      fmt::format("--frame: {} is not a register for operands; choose one such as eax, bx or dl",
-                  support::quoted(text)));
+      fmt::format("--frame: {} is not a register for operands; choose one such as eax, bx or dl, "
+                  "or {}",
+                  support::quoted(text), types_instead));
 }
 
 Place place_named(const PlaceText& text, int code_bits) {
@@ -89,7 +90,9 @@ PlaceText place_text(std::string_view text, std::size_t most_parts, std::size_t 
     place.is_pointer = true;
     inner = trimmed(text.substr(1, text.size() - 2));
   }
-  place.parts = split(inner, ':');
+  // `std::int32_t` is a type, and no registers.
+  const bool is_qualified = inner.find("::") != std::string_view::npos;
+  place.parts = is_qualified ? std::vector{inner} : split(inner, ':');
   if (place.parts.empty() || place.parts.size() > (place.is_pointer ? of_pointer : most_parts)) {
     throw UsageError(fmt::format(
         "--frame: {} is not a place; write a register, a pair like dx:ax or a pointer like [si]",
@@ -146,8 +149,38 @@ Frame convention_of_64_bits(bool is_windows, const Signature& signature) {
 
 namespace {
 
+/// Returns a frame with the arrow that a user forgot, for a message.
+std::string with_arrow(std::string_view text) {
+  for (const std::string_view other : {"=>", "\u2192"}) {
+    if (const std::size_t at = text.find(other); at != std::string_view::npos) {
+      return fmt::format("{}->{}", text.substr(0, at), text.substr(at + other.size()));
+    }
+  }
+  const std::size_t open = text.find('(');
+  const std::size_t close = text.rfind(')');
+  if (open != std::string_view::npos && close != std::string_view::npos && open < close) {
+    // A prototype: the type of the result, then perhaps the name of the function.
+    std::string_view result = trimmed(text.substr(0, open));
+    if (const std::size_t name = result.rfind(' '); name != std::string_view::npos) {
+      result = trimmed(result.substr(0, name));
+    }
+    const std::string_view in = trimmed(text.substr(open + 1, close - open - 1));
+    return result == "void" ? fmt::format("{} ->", in) : fmt::format("{} -> {}", in, result);
+  }
+  if (text.ends_with('*') || text.ends_with(']')) return fmt::format("{} ->", text);
+  return fmt::format("{} -> {}", text, trimmed(text.substr(0, text.find(','))));
+}
+
+/// Names the mistake if a frame without an arrow has places.
+void expect_no_places(std::string_view text) {
+  if (text.find_first_of(",(* ") == std::string_view::npos) return;
+  throw UsageError(fmt::format("--frame {}: there is no -> between operands and result; write '{}'",
+                               support::quoted(text), support::printable(with_arrow(text))));
+}
+
 /// Returns a convention of x86 by its name.
 Frame convention_named(std::string_view text, int bits, const Signature& signature) {
+  expect_no_places(text);
   if (bits == 64) {
     const bool is_windows = text == "ms";
     if (is_windows || text == "c" || text == "sysv") {
@@ -268,6 +301,7 @@ Frame frame_for(const Image& image, std::string_view text, const cases::Variant&
   } else if (parts) {
     frame.elsewhere = convention_of_registers(architecture, *parts, parameters, result_bits);
   } else {
+    expect_no_places(text);
     throw UsageError(
         fmt::format("--frame {}: choose c for {}, or name registers, the operands first, then -> "
                     "and the result",

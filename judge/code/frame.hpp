@@ -27,6 +27,10 @@ struct PlaceText {
   std::vector<std::string_view> parts{};  ///< the highest bits first
   bool is_pointer = false;
 };
+/// What a message offers for a word that is neither a register nor a type.
+inline constexpr const char* types_instead =
+    "types of C such as int32_t, for a typedef the type that it stands for";
+
 struct FrameText {
   std::vector<PlaceText> in{};
   std::vector<PlaceText> out{};

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "judge/code/architecture.hpp"
@@ -75,6 +76,12 @@ struct Image {
     return linear(data_segment, offset);
   }
 };
+
+/// Returns what the code of another processor than x86 is for, such as "Thumb" or "AArch64".
+/// @pre image.architecture is not null
+inline std::string_view code_name(const Image& image) {
+  return image.entry_mode == 1 ? "Thumb" : image.architecture->name;
+}
 
 /// What `container` says of code without a header, and of an ELF file before and after linking.
 inline constexpr const char* flat_container = "flat binary";

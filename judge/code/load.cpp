@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <stdexcept>
 #include <string_view>
-#include <utility>
 
 #include "judge/code/compiler.hpp"
+#include "judge/code/foreign_file.hpp"
 #include "judge/code/machine.hpp"
+#include "judge/code/routine_named.hpp"
 #include "support/bounded_file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
@@ -61,58 +61,6 @@ void enter_at(Image& image, std::string_view at) {
   }
   image.entry = place.offset;
   image.entry_end = place.end.value_or(0);
-}
-
-/// A name in a list.
-std::string shortened(const std::string& name) {
-  constexpr std::size_t longest = 60;
-  return support::printable(name.size() > longest ? name.substr(0, longest) + "..." : name);
-}
-
-/// The names for a message, those of the compiler's library last.
-std::string names_of(const Image& image) {
-  constexpr std::size_t shown = 20;
-  std::vector<Symbol> symbols = image.symbols;
-  symbols.insert(symbols.end(), image.hidden.begin(), image.hidden.end());
-  std::stable_partition(symbols.begin(), symbols.end(),
-                        [](const Symbol& symbol) { return !symbol.name.starts_with("__"); });
-  std::string all;
-  for (std::size_t i = 0; i < std::min(symbols.size(), shown); ++i) {
-    all += (all.empty() ? "" : ", ") + shortened(symbols[i].name);
-  }
-  if (symbols.size() > shown) all += fmt::format(" and {} others", symbols.size() - shown);
-  return all;
-}
-
-void enter_symbol(Image& image, const std::string& name) {
-  const auto named = std::ranges::find(image.symbols, name, &Symbol::name);
-  if (named != image.symbols.end()) {
-    image.entry = named->offset;
-    return;
-  }
-  const auto count = std::ranges::count(image.hidden, name, &Symbol::name);
-  if (count > 1) {
-    throw UsageError(
-        fmt::format("--symbol {}: there are {} static functions of that name; use --at",
-                    support::quoted(name), count));
-  }
-  if (count == 1) {
-    image.entry = std::ranges::find(image.hidden, name, &Symbol::name)->offset;
-    return;
-  }
-  if (image.symbols.empty() && image.hidden.empty()) {
-    throw UsageError(fmt::format("--symbol {}: this {} has no symbols; use --at",
-                                 support::quoted(name), image.container));
-  }
-  const std::string all = names_of(image);
-  if (name.empty()) {
-    throw UsageError(
-        fmt::format("name the routine as FILE:ROUTINE or with --symbol; choose one of {}", all));
-  }
-  const bool is_object = image.container == object_container;
-  throw UsageError(fmt::format("--symbol {}: there is no such {}; choose one of {}",
-                               support::quoted(name), is_object ? "global function" : "symbol",
-                               all));
 }
 
 void find_entry(Image& image, const LoadOptions& options) {
@@ -166,45 +114,6 @@ Image image_of_source(const std::string& path, const LoadOptions& options) {
   return image;
 }
 
-/// What a file that is no machine code is, and what to give in its place.
-constexpr const char* to_compile = "is a source; compile it, as with gcc -c, and give the object";
-constexpr const char* to_link = "is an object, but not ELF; link it to a .COM program or an .EXE";
-constexpr const char* to_run =
-    "is no machine code; judge a program that reads cases, such as --run 'python3 mine.py'";
-constexpr const char* to_import =
-    "is no machine code; import fixproof in Python to judge a function, or judge a program that "
-    "reads cases: --run 'python3 mine.py'";
-constexpr const char* to_simulate =
-    "describes hardware; simulate it with a bench that reads cases: --run 'vvp -n bench'";
-constexpr const char* to_take_elf =
-    "does not say for which processor it is; give the ELF file that it was made from";
-constexpr const char* to_check =
-    "is text, no machine code; judge a program with --run './mine', and results with fixproof "
-    "check";
-constexpr std::array<std::pair<const char*, const char*>, 21> no_machine_code{{
-    {".s", to_compile},    {".pas", to_compile},   {".bas", to_compile},  {".obj", to_link},
-    {".py", to_import},    {".js", to_run},        {".rs", to_run},       {".go", to_run},
-    {".java", to_run},     {".cs", to_run},        {".awk", to_run},      {".lua", to_run},
-    {".rb", to_run},       {".pl", to_run},        {".v", to_simulate},   {".sv", to_simulate},
-    {".vhd", to_simulate}, {".vhdl", to_simulate}, {".hex", to_take_elf}, {".srec", to_take_elf},
-    {".s19", to_take_elf},
-}};
-
-/// Tells whether all bytes are text in ASCII. No routine is: each return has a byte above 7fh.
-bool is_text(const std::string& bytes) {
-  return !bytes.empty() && std::ranges::all_of(bytes, [](unsigned char c) {
-    return std::isprint(c) != 0 || std::isspace(c) != 0;
-  });
-}
-
-/// Refuses files that are not machine code, so that they are not taken for a flat binary.
-void expect_machine_code(const std::string& path, const std::string& bytes) {
-  for (const auto& [extension, what] : no_machine_code) {
-    if (has_extension(path, extension)) throw UsageError(what);
-  }
-  if (is_text(bytes)) throw UsageError(to_check);
-}
-
 Image image_of(const std::string& path, const std::string& bytes, const LoadOptions& options) {
   Image image;
   if (bytes.starts_with("\177ELF")) {
@@ -229,6 +138,7 @@ Image image_of(const std::string& path, const std::string& bytes, const LoadOpti
     }
     load_elf(image, bytes, options.is_linked);
   } else if (bytes.starts_with("MZ")) {
+    expect_no_windows(bytes);
     if (options.bits == 32) throw UsageError("--bits 32: a DOS .EXE has 16-bit code");
     load_exe(image, bytes);
   } else if (has_extension(path, ".com")) {

@@ -4,9 +4,11 @@
 #include <simavr/sim_cycle_timers.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <vector>
 
 #include "judge/code/avr_access.hpp"
 #include "judge/code/machine.hpp"
@@ -48,6 +50,12 @@ class Simavr final : public Machine {
     avr_->flashend = a_.data.first - 1;
     avr_->data = memory_.get() + a_.data.first;
     std::fill_n(avr_->data, avr::first_memory, std::uint8_t{0});
+    for (std::uint32_t word = 0; word < reaches_.size(); ++word) {
+      constexpr std::array<std::uint8_t, avr::registers> any{};
+      const avr::Reach reach = avr::reach_of(
+          {.word = static_cast<std::uint16_t>(word), .r = any, .return_bytes = a_.pushed.bytes});
+      reaches_[word] = reach.kind != avr::Reach::Kind::none;
+    }
   }
 
   [[nodiscard]] std::uint8_t* memory() const override { return avr_->flash; }
@@ -62,14 +70,17 @@ class Simavr final : public Machine {
         called = current();
         return {};
       }
-      const avr::Reach access = next_access();
-      if (trace_ != nullptr) {
-        if (trace_->steps.size() >= max_emulated_steps) return ending;
-        add_to_trace(access);
-      }
-      if (const End end = end_before(access, ending); end != End::returned) {
-        ending.end = end;
-        return ending;
+      // Most instructions use nothing but registers, whatever is in them.
+      if (trace_ != nullptr || is_outside() || reaches_[word_at(avr_->pc)]) {
+        const avr::Reach access = next_access();
+        if (trace_ != nullptr) {
+          if (trace_->steps.size() >= max_emulated_steps) return ending;
+          add_to_trace(access);
+        }
+        if (const End end = end_before(access, ending); end != End::returned) {
+          ending.end = end;
+          return ending;
+        }
       }
       avr_->state = cpu_Running;
       avr_->run_cycle_count = 0;  // one instruction only
@@ -209,6 +220,8 @@ class Simavr final : public Machine {
   const Architecture& a_;
   Trace* trace_;
   Memory memory_;
+  /// Whether the instruction that begins with a word may use memory or may not run.
+  std::vector<bool> reaches_ = std::vector<bool>(0x10000);
   std::unique_ptr<avr_t, Terminate> avr_{new avr_t{}};
 };
 

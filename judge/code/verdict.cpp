@@ -7,6 +7,7 @@
 #include "judge/check/fitting.hpp"
 #include "judge/code/answering.hpp"
 #include "oracle/exact.hpp"
+#include "support/interrupt.hpp"
 #include "verify/shrink.hpp"
 
 namespace fixproof::judge {
@@ -52,33 +53,65 @@ void find_smallest(const Subject& subject, Verdict& verdict, std::vector<std::ui
   if (!is_right(rules, smallest)) verdict.smallest = std::move(smallest);
 }
 
+/// A case that ran, and its origin.
+struct Ran {
+  std::vector<std::uint32_t> words{};
+  Answer answer{};
+  std::string_view origin{};
+};
+
 struct Judging {
   const Subject& subject;
   const VerdictOptions& options;
+  bool keeps_all = false;
   Verdict verdict{};
-  std::vector<std::uint32_t> smallest{};
+  std::optional<Ran> smallest{};
   int smallest_size = 0;
+  std::vector<Ran> all{};  ///< if it keeps them
 
   void run() {
     run_cases(
-        subject, options, verdict,
-        [this] {
-          verdict.judge.emplace(verdict.rules, options.shown);
-          smallest.clear();
-        },
+        subject, options, verdict, [this] { begin(); },
         [this](std::span<const std::uint32_t> words, const Answer& answer,
                std::string_view origin) {
-          check::JudgedCase one = judged_case(subject.variant, words, answer);
-          one.number = verdict.judge->cases() + 1;
-          one.origin = origin;
-          const std::uint64_t before = verdict.judge->wrong();
-          verdict.judge->add(one);
-          if (verdict.judge->wrong() == before) return;
-          const int size = check::size_of(subject.variant, words);
-          if (!smallest.empty() && size >= smallest_size) return;
-          smallest.assign(words.begin(), words.end());
-          smallest_size = size;
+          const Ran ran{{words.begin(), words.end()}, answer, origin};
+          add(ran);
+          if (keeps_all) all.push_back(ran);
         });
+  }
+
+  /// Judges the cases that it kept, by other rules.
+  void judge_again(const check::Rules& rules) {
+    verdict.rules = rules;
+    const std::vector<Ran> kept = std::move(all);
+    begin();
+    for (const Ran& ran : kept) add(ran);
+  }
+
+  /// Returns the wrong case with the smallest operands of those that ran.
+  [[nodiscard]] check::JudgedCase smallest_that_ran() const {
+    check::JudgedCase one = judged_case(subject.variant, smallest->words, smallest->answer);
+    one.read_by(verdict.rules);
+    return one;
+  }
+
+ private:
+  void begin() {
+    verdict.judge.emplace(verdict.rules, options.shown);
+    smallest.reset();
+    all.clear();
+  }
+  void add(const Ran& ran) {
+    check::JudgedCase one = judged_case(subject.variant, ran.words, ran.answer);
+    one.number = verdict.judge->cases() + 1;
+    one.origin = ran.origin;
+    const std::uint64_t before = verdict.judge->wrong();
+    verdict.judge->add(one);
+    if (verdict.judge->wrong() == before) return;
+    const int size = check::size_of(subject.variant, ran.words);
+    if (smallest && size >= smallest_size) return;
+    smallest = ran;
+    smallest_size = size;
   }
 };
 
@@ -101,18 +134,30 @@ Verdict judge_routine(const Subject& subject, const VerdictOptions& options) {
     used.cases.cases =
         std::min(options.cases.cases.value_or(check::cases_for_guess), check::cases_for_guess);
     used.progress = {};
-    Judging guess{subject, used};
+    Judging guess{.subject = subject, .options = used, .keeps_all = true};
     guess.verdict.rules = options.rules;
     guess.run();
     if (guess.verdict.stuck || guess.verdict.state) return std::move(guess.verdict);
+    if (guess.verdict.is_stopped) {
+      if (guess.verdict.cases > 0) guess.judge_again(check::fitting_rules(*guess.verdict.judge));
+      if (guess.smallest) guess.verdict.smallest = guess.smallest_that_ran();
+      return std::move(guess.verdict);
+    }
     used = options;
     used.rules = check::fitting_rules(*guess.verdict.judge);
   }
-  Judging judging{subject, used};
-  judging.verdict.rules = used.rules;
+  Judging judging{.subject = subject, .options = used};
+  Verdict& verdict = judging.verdict;
+  verdict.rules = used.rules;
   judging.run();
-  if (!judging.smallest.empty()) find_smallest(subject, judging.verdict, judging.smallest);
-  return std::move(judging.verdict);
+  if (!judging.smallest) return std::move(verdict);
+  try {
+    if (!verdict.is_stopped) find_smallest(subject, verdict, judging.smallest->words);
+  } catch (const support::Stopped&) {
+    verdict.is_stopped = true;
+  }
+  if (verdict.is_stopped) verdict.smallest = judging.smallest_that_ran();
+  return std::move(verdict);
 }
 
 namespace {
@@ -171,7 +216,7 @@ WholeVerdict judge_whole(const Subject& subject, const VerdictOptions& options) 
   guess.cases.cases = std::min(options.cases.cases.value_or(cases_for_choice), cases_for_choice);
   guess.progress = {};
   WholeVerdict first = judged(guess, candidates_for(subject.variant.operation));
-  if (first.verdict.stuck || first.verdict.state) return first;
+  if (first.verdict.stuck || first.verdict.state || first.verdict.is_stopped) return first;
   const std::uint64_t least = first.candidates.front().exceptions;
   std::vector<Candidate> best;
   for (const Candidate& candidate : first.candidates) {

@@ -50,6 +50,7 @@ struct Verdict {
   std::optional<KeptState> state{};             ///< why the case is unsteady, if memory is why
   RegisterMask changed = 0;                     ///< see Call::changed()
   std::optional<check::JudgedCase> smallest{};  ///< the simplest case that is wrong when run again
+  bool is_stopped = false;                      ///< by an interrupt, before the last case
 
   [[nodiscard]] bool is_right() const {
     return !stuck && !not_preserved && !unsteady && (!judge || judge->is_right());
@@ -58,7 +59,7 @@ struct Verdict {
 
 /// Judges an operation of check::is_judged(). Stops at the first call that neither returns nor
 /// raises #DE.
-/// @throws support::UsageError if no machine can run the routine; support::Stopped
+/// @throws support::UsageError if no machine can run the routine
 Verdict judge_routine(const Subject& subject, const VerdictOptions& options);
 
 /// Returns a case and its result in the form that check judges.

@@ -24,7 +24,18 @@ constexpr std::chrono::milliseconds grace{1000};
 constexpr int poll_milliseconds = 50;
 /// The same once no pipe can tell.
 constexpr int short_poll_milliseconds = 1;
-constexpr std::size_t longest_error = 4096;
+/// Of what a program says on standard error, so much of the beginning is kept, and of the end.
+constexpr std::size_t most_of_errors = 4096;
+
+/// Returns the line that says what is wrong: the first one, but of a traceback of Python the last.
+std::string telling_line(std::string_view text) {
+  constexpr std::string_view blank = " \t\r\n";
+  if (text.find("Traceback (most recent call last):") == std::string_view::npos) {
+    return std::string(text.substr(0, text.find('\n')));
+  }
+  text = text.substr(0, text.find_last_not_of(blank) + 1);
+  return std::string(text.substr(text.find_last_of('\n') + 1));
+}
 
 }  // namespace
 
@@ -115,7 +126,7 @@ void Relay::fail(Fault::Kind kind, Share& share) {
     fault_->ending = share.child.ending();
     receive_errors(share);
   }
-  fault_->error = share.error.substr(0, share.error.find('\n'));
+  fault_->error = telling_line(share.error);
 }
 
 void Relay::give() {
@@ -210,8 +221,11 @@ void Relay::receive_errors(Share& share) {
     if (got < 0 && errno == EAGAIN) return;
     if (got <= 0) {
       share.child.err = support::Descriptor();
-    } else if (share.error.size() < longest_error) {
+    } else {
       share.error.append(buffer.data(), static_cast<std::size_t>(got));
+      if (share.error.size() > 2 * most_of_errors) {
+        share.error.erase(most_of_errors, share.error.size() - 2 * most_of_errors);
+      }
     }
   }
 }

@@ -64,7 +64,8 @@ void expect_usage_error(const Run& run, std::string_view part);
 /// Expects the same, and no output.
 void expect_refused(std::string_view arguments, std::string_view part, std::string_view input = {});
 
-/// Expects status 2 if standard output is full, and if it is a pipe without a reader.
+/// Expects status 2 if standard output is full, and 141 and no message if it is a pipe without a
+/// reader.
 void expect_output_needed(std::string_view arguments, std::string_view input = {});
 
 bool has(std::string_view program);

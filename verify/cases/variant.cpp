@@ -12,23 +12,32 @@ namespace fixproof::cases {
 
 namespace {
 
-/// Returns the operation called `name` among `known`; `kind` is for the error message.
-Operation named(std::string_view name, std::string_view kind, std::span<const OperationRow> known) {
+/// Returns the operation called `name` among `known`; `kind` is for the error message, and so is
+/// `list`, which says where the names are. If it is empty, the message has them.
+Operation named(std::string_view name, std::string_view kind, std::span<const OperationRow> known,
+                std::string_view list) {
   std::string all;
   std::string nearest;
+  std::string_view beginning;  // the longest name that `name` begins with, as mul in multiply
   std::size_t fewest_edits = name.size() < 5 ? 1 : 2;
   for (const OperationRow& other : known) {
     if (other.name == name) return other.operation;
     all += fmt::format("{}{}", all.empty() ? "" : ", ", other.name);
+    if (name.starts_with(other.name) && other.name.size() > beginning.size()) {
+      beginning = other.name;
+    }
     const std::size_t edits = support::edits_between(name, other.name);
     if (edits > fewest_edits) continue;
     if (edits < fewest_edits) nearest.clear();
     fewest_edits = edits;
     nearest += fmt::format("{}{}", nearest.empty() ? "" : " or ", other.name);
   }
+  if (nearest.empty()) nearest = beginning;
   const std::string meant = nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
-  throw std::invalid_argument(
-      fmt::format("unknown {} '{}'{}; choose one of {}", kind, name, meant, all));
+  const std::string choice = list.empty()      ? fmt::format("choose one of {}", all)
+                             : nearest.empty() ? fmt::format("choose mul, div or another: {}", list)
+                                               : std::string(list);
+  throw std::invalid_argument(fmt::format("unknown {} '{}'{}; {}", kind, name, meant, choice));
 }
 
 }  // namespace
@@ -45,7 +54,9 @@ std::string_view name_of(Target t) {
   return "standard";
 }
 
-Operation operation_named(std::string_view name) { return named(name, "operation", operations); }
+Operation operation_named(std::string_view name) {
+  return named(name, "operation", operations, "fixproof gen --help lists all");
+}
 
 void check_format(Operation operation, const Format& format) {
   if (is_in_format(operation, format)) return;
@@ -67,7 +78,7 @@ std::string function_names() {
 }
 
 Operation routine_named(std::string_view name) {
-  return named(name, "routine", std::span(operations).first<5>());
+  return named(name, "routine", std::span(operations).first<5>(), "");
 }
 
 std::vector<Variant> all_variants() {

@@ -122,7 +122,9 @@ TEST(EvalInput, CountsTheWordsOfEachOperation) {
          "no 0 in front");
   expect("cossin", "0.5", "'0.5' is not a whole number");
   expect("mul", "1e5 1", "'1e5': out of range, q16_16 has -32768 to 32767.9999847412109375");
-  expect("mul --format u0_8", "1 ff", "'1': out of range, u0_8 has 0 to 0.99609375");
+  expect("mul --format u0_8", "1 ff",
+         "'1': out of range, u0_8 has 0 to 0.99609375; a word has 2 hexadecimal digits, or fewer "
+         "after 0x");
 }
 
 TEST(EvalInput, QuotesForeignTextShortAndPrintable) {

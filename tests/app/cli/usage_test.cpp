@@ -78,12 +78,16 @@ TEST(Usage, WhatTakesRoutinesNamesTheRoutines) {
 }
 
 TEST(Usage, NamesOperationsThatAreSpelledAlike) {
-  expect_refused("eval expp",
-                 "unknown operation 'expp' (did you mean exp2 or exp?); choose one of mul, ");
+  expect_refused(
+      "eval expp",
+      "unknown operation 'expp' (did you mean exp2 or exp?); fixproof gen --help lists all");
   expect_refused("gen ecp", "(did you mean exp?)");
   expect_refused("eval sinn_of_degree", "(did you mean sin_of_degrees?)");
-  expect_refused("eval x", "unknown operation 'x'; choose");
-  expect_refused("eval atangent", "unknown operation 'atangent'; choose");
+  expect_refused("eval x",
+                 "unknown operation 'x'; choose mul, div or another: fixproof gen --help ");
+  expect_refused("eval atangent", "unknown operation 'atangent' (did you mean atan?)");
+  expect_refused("judge f.o --as multiply", "f.o: there is no such file");
+  expect_refused("gen multiply", "unknown operation 'multiply' (did you mean mul?)");
   expect_refused("list mull", "unknown routine 'mull' (did you mean mul?)");
 }
 

@@ -111,6 +111,9 @@ TEST(CTypes, WidthsAndSigns) {
   EXPECT_EQ(bits("long", 32), 32);
   EXPECT_EQ(bits("signed long", 64), 64);
   EXPECT_EQ(bits("uint64_t", 32), 64);
+  EXPECT_EQ(bits("long unsigned int", 64), 64);
+  EXPECT_EQ(bits("short int", 64), 16);
+  EXPECT_EQ(bits("std::uint16_t", 64), 16);
   EXPECT_FALSE(judge::signature_in_c(*judge::frame_text("r0, r1 -> r0"), product, 32));
 }
 
@@ -124,6 +127,36 @@ TEST(CTypes, AnOperandIsExtendedByItsType) {
   EXPECT_EQ(operands.value(0, words), 0xFFFFU);
   EXPECT_EQ(operands.value(1, words), ~std::uint64_t{1});
   EXPECT_EQ(operands.value(2, words), ~std::uint64_t{0});
+}
+
+TEST(CTypes, ParametersMayHaveNames) {
+  const std::string behind =
+      "bits 64\nmovsxd rax, [rdi]\nmovsxd rcx, [rsi]\nimul rax, rcx\nsar rax, 16\n"
+      "mov [rdx], eax\nret\n";
+  for (const std::string frame :
+       {"const int32_t *a, int32_t const* b, std::int32_t r[1] ->",
+        "int *restrict a, volatile int * b, long int32 [1] ->", "int* const a, int *b, int* ->"}) {
+    expect(judge_code(behind, "--as|mul|--cases|1000|--frame|" + frame), 0,
+           {"frame " + frame + "\n", "AGREES on 1,000 cases\n"});
+  }
+  const std::string value = "bits 64\nlea eax, [rdi+rsi]\nret\n";
+  for (const std::string frame : {"int32_t a, int32_t b -> int32_t", "unsigned a, int b -> signed"})
+    expect(judge_code(value, "--as|add|--overflow|wrap|--cases|1000|--frame|" + frame), 0,
+           {"AGREES on 1,000 cases\n"});
+}
+
+TEST(CTypes, AWildPointerIsAnsweredWithTheFrameOfPointers) {
+  const std::string reads = "bits 64\nshl rdi, 32\nmov eax, [rdi]\nret\n";
+  const std::string hint = "; if it takes pointers, name its types, as in --frame '";
+  expect(judge_code(reads, "--as|mul|--cases|1000"), 1,
+         {"BROKEN: for ", hint + "int32_t*, int32_t*, int32_t* ->'\n"});
+  expect(judge_code(reads, "--as|sqrt|--format|u8_8|--to|u0_32|--cases|1000"), 1,
+         {hint + "uint16_t*, uint32_t* ->'\n"});
+  expect(judge_code(reads, "--as|dot|--terms|3|--format|q1_15|--frame|sysv|--cases|1000"), 1,
+         {hint + "int16_t[3], int16_t[3], int16_t* ->'\n"});
+  const auto named = judge_code(reads, "--as|mul|--cases|1000|--frame|int32_t, int32_t -> int32_t");
+  EXPECT_EQ(named.status, 1);
+  EXPECT_EQ(named.out.find(hint), std::string::npos) << named.out;
 }
 
 TEST(CTypes, MistakesAreNamed) {
@@ -142,7 +175,20 @@ TEST(CTypes, MistakesAreNamed) {
         {"int, int ->", "mul takes 2 operands"},
         {"int, int -> int*", "mul takes 2 operands"},
         {"int, int -> 1", "mul takes 2 operands"},
-        {"int, int, int*, int* ->", "mul takes 2 operands"}}) {
+        {"int, int, int*, int* ->", "mul takes 2 operands"},
+        {"signed unsigned, int -> int", "'signed unsigned' is no type that judge knows"},
+        {"int**, int -> int", "'int**' is no type that judge knows"},
+        {"int *a b, int -> int", "'int *a b' is no type that judge knows"},
+        {"fixed, fixed -> fixed",
+         "'fixed' is not a register for operands; choose one such as eax, bx or dl, or types of C "
+         "such as int32_t, for a typedef the type that it stands for"},
+        {"int, int",
+         "'int, int': there is no -> between operands and result; write 'int, int -> "
+         "int'"},
+        {"int*, int*, int*", "write 'int*, int*, int* ->'"},
+        {"int, int => int", "write 'int, int -> int'"},
+        {"int mul(int a, int b)", "write 'int a, int b -> int'"},
+        {"void mul(int *a, int *r)", "write 'int *a, int *r ->'"}}) {
     command::expect_usage_error(judge_code(routine, std::string("--as|mul|--frame|") + frame),
                                 part);
   }

@@ -165,6 +165,19 @@ TEST(Containers, AFileThatIsNoMachineCodeSaysWhatToGive) {
   refuse("mul.v", "module mul; endmodule", ": describes hardware; simulate it with a bench");
   refuse("firmware.hex", ":00000001FF", ": does not say for which processor it is; give the ELF");
   refuse("results", "00000000\n\tDE\r\n", ": is text, no machine code; judge a program with --run");
+  refuse(
+      "mine.o", std::string("\xCF\xFA\xED\xFE\x07\0\0\x01", 8),
+      ": is a Mach-O file, and judge reads ELF; compile the source for Linux, or judge a program");
+  refuse("mine.wasm", std::string("\0asm\x01\0\0\0", 8), ": is a module of WebAssembly, and");
+  refuse("libmine.a", "!<arch>\n\x80", ": is an archive of objects; give one of them");
+  refuse("mine.o",
+         std::string("\x64\x86\x01", 3) + std::string(17, '\0') + ".text" + std::string(20, '\0'),
+         ": is an object for Windows, and judge reads ELF");
+  std::string windows = exe_of("\xC3", {});
+  windows.resize(0x80);
+  windows[0x3C] = '\x70';
+  windows.replace(0x70, 4, "PE\0\0", 4);
+  refuse("mine.exe", windows, ": is a program or library of Windows, and judge reads ELF");
   // A single byte that is not text makes it code.
   expect(judge(folder.write("code", "\x58\x5A\xC3"), "--as|mul" + few), 1, {"flat binary"});
   expect(judge(folder.write("image.bin", std::string(16, '\xFF')), "--as|mul"), 1,

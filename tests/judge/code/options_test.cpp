@@ -109,4 +109,19 @@ TEST(JudgeOptions, ASourceStatesItsWidth) {
   EXPECT_EQ(endless.out.find(hint), std::string::npos) << endless.out;
 }
 
+TEST(JudgeOptions, ARoundingThatIsNoRule) {
+  const auto refuse = [](const std::string& option, const std::string& part) {
+    command::expect_usage_error(judge(routine("mul"), in_registers + option), part);
+  };
+  refuse("|--rounding|nearest",
+         "--rounding nearest: to nearest needs a rule for ties; choose half-up, half-away or "
+         "half-even");
+  refuse("|--rounding|up",
+         "--rounding 'up': choose one of half-up, half-away, half-even, floor, "
+         "toward-zero, ceiling, faithful, best");
+  refuse("|--round|floor", "floor not in {on,off}; did you mean --rounding?");
+  expect(judge(routine("mul"), in_registers + "|--rounding|best|--cases|1000"), 0,
+         {"mul q16_16: half-up, the rounding that fits best", "AGREES on 1,000 cases"});
+}
+
 }  // namespace

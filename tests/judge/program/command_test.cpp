@@ -55,6 +55,12 @@ TEST(RunCommand, SaysHowAProgramFails) {
                   "), even alone, the program ends by signal 8 "
                   "(Floating point exception) without a result; it says 'oops'; read cases from "
                   "standard input, and write one line for each, DE where there is no result\n");
+  // Of a traceback the last line says what is wrong, and however long it is.
+  const auto raises = run_of(
+      "{ echo 'Traceback (most recent call last):'; yes '  File \"mine.py\"' | head -n 2000; "
+      "echo 'ValueError: 3'; echo; } >&2; exit 1",
+      "--as mul --cases 2000");
+  expect_contains(raises.out, "; it says 'ValueError: 3'; read cases");
   const auto few = run_of(plain("mul") + " | head -n 7", "--as mul --cases 2000");
   expect_contains(few.out,
                   " the program ends with status 0 without a result, after 7 results; read cases "
