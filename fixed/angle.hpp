@@ -20,6 +20,8 @@
 
 #if defined(FIXED_SMALL)
 #include "fixed/detail/digit_angle.hpp"
+#elif defined(FIXED_COMPACT)
+#include "fixed/detail/compact_angle.hpp"
 #else
 #include "fixed/detail/arcsine.hpp"
 #include "fixed/detail/arctangent.hpp"
@@ -55,7 +57,7 @@ constexpr To angle_of_slope(Number x, const char* function) noexcept(To::never_t
         function, x);
   } else {
     constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
-    return limited<To>(nearest_angle(x.raw(), one, To::fraction_bits), function, x);
+    return limited<To>(nearest_angle(x.raw(), one, result_bits<To, Number>()), function, x);
   }
 }
 

@@ -26,6 +26,8 @@
 
 #if defined(FIXED_SMALL)
 #include "fixed/detail/digit_power.hpp"
+#elif defined(FIXED_COMPACT)
+#include "fixed/detail/compact_power.hpp"
 #else
 #include "fixed/detail/power.hpp"
 #endif

@@ -23,6 +23,8 @@
 
 #if defined(FIXED_SMALL)
 #include "fixed/detail/digit_phase.hpp"
+#elif defined(FIXED_COMPACT)
+#include "fixed/detail/compact_phase.hpp"
 #else
 #include "fixed/detail/phase.hpp"
 #endif
@@ -40,7 +42,7 @@ constexpr To sine_of(Number x, unsigned ahead, const char* function) noexcept(To
         function, x);
   } else {
     return limited<To>(nearest_sine_of<Unit, rounding_of<To>>(x.raw(), ahead, Number::fraction_bits,
-                                                              To::fraction_bits),
+                                                              result_bits<To, Number>()),
                        function, x);
   }
 }

@@ -1,0 +1,103 @@
+/// @file
+/// Products, series, divisions and roundings that the compact functions share.
+///
+/// They take the steps of the functions in words with all terms of each series, each step rounded
+/// alike, so the bounds of these hold. But every step is a loop or a call. A Cortex-M0 has products
+/// of 32 bits, and each product of 64 bits that is inlined takes a tenth of a kilobyte.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "fixed/detail/assert.hpp"
+#include "fixed/detail/digit_series.hpp"
+#include "fixed/detail/inlining.hpp"
+#include "fixed/detail/nearest.hpp"
+#include "fixed/detail/variant.hpp"
+
+namespace fixproof::detail::in_compact_words {
+
+using in_digits::undecided;
+
+/// The product of two words of 32 bits.
+FIXED_NOINLINE constexpr std::uint64_t product_of(std::uint32_t a, std::uint32_t b) noexcept {
+#if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)
+  // The compiler would call its product of 64 by 64 bits, which takes twice the time.
+  const std::uint32_t a0 = a & 0xffff;
+  const std::uint32_t a1 = a >> 16;
+  const std::uint32_t b0 = b & 0xffff;
+  const std::uint32_t b1 = b >> 16;
+  const std::uint32_t low = a0 * b0;
+  const std::uint32_t middle = a0 * b1 + (low >> 16);
+  const std::uint32_t sum = a1 * b0 + (middle & 0xffff);
+  return std::uint64_t{a1 * b1 + (middle >> 16) + (sum >> 16)} << 32 | sum << 16 | (low & 0xffff);
+#else
+  return std::uint64_t{a} * b;
+#endif
+}
+
+/// floor(a * b / 2^64).
+FIXED_NOINLINE constexpr std::uint64_t high_product(std::uint64_t a, std::uint64_t b) noexcept {
+  const auto a0 = static_cast<std::uint32_t>(a);
+  const auto a1 = static_cast<std::uint32_t>(a >> 32);
+  const auto b0 = static_cast<std::uint32_t>(b);
+  const auto b1 = static_cast<std::uint32_t>(b >> 32);
+  const std::uint64_t middle = product_of(a1, b0) + (product_of(a0, b0) >> 32);
+  // The last coefficients of each series are this small.
+  if (b1 == 0) return middle >> 32;
+  const std::uint64_t sum = product_of(a0, b1) + static_cast<std::uint32_t>(middle);
+  return product_of(a1, b1) + (middle >> 32) + (sum >> 32);
+}
+
+/// x times sum_of_series() of all coefficients, or of sum_of_alternating_series(), in units of
+/// 2^-64.
+FIXED_NOINLINE constexpr std::uint64_t series_of(const std::uint64_t* coefficients,
+                                                 std::size_t terms, std::uint64_t x,
+                                                 bool alternates) noexcept {
+  std::uint64_t product = 0;
+  while (terms-- > 0) {
+    const std::uint64_t c = coefficients[terms];
+    product = high_product(x, alternates ? c - product : c + product);
+  }
+  return product;
+}
+
+/// floor(rest * 2^bits / divisor), of which `rest` keeps the remainder. For a ratio of 1, all bits
+/// are ones, and the divisor remains. @pre rest <= divisor < 2^63
+FIXED_NOINLINE constexpr std::uint64_t take_quotient(std::uint64_t& rest, std::uint64_t divisor,
+                                                     int bits) noexcept {
+  FIXED_ASSERT(rest <= divisor && divisor >> 63 == 0);
+  std::uint64_t left = rest;
+  std::uint64_t quotient = 0;
+  for (; bits > 0; --bits) {
+    left += left;
+    quotient += quotient;
+    if (left >= divisor) {
+      left -= divisor;
+      ++quotient;
+    }
+  }
+  rest = left;
+  return quotient;
+}
+
+/// The integer nearest to value +- error in units of 2^-bits, or `undecided` if there are two.
+FIXED_NOINLINE constexpr std::int64_t nearest_or_undecided(std::int64_t value, std::int32_t error,
+                                                           int bits) noexcept {
+  const nearest_ends ends = nearest_within(value, std::int64_t{error}, bits);
+  return ends.agree() ? ends.low : undecided;
+}
+
+/// The integer that `ulps` is, or the one that digits compute, which programs that use only formats
+/// that are tried do not contain.
+template <class Bits, class Digits>
+constexpr std::int64_t decided(std::int64_t ulps, const Digits& digits) noexcept {
+  if constexpr (is_tried<Bits>) {
+    FIXED_ASSERT(ulps != undecided);
+    return ulps;
+  } else {
+    return ulps != undecided ? ulps : digits();
+  }
+}
+
+}  // namespace fixproof::detail::in_compact_words
