@@ -44,7 +44,7 @@ constexpr To angle_of(Number y, Number x, const char* function) noexcept(To::nev
                            real_operand_of(y), real_operand_of(x), To::fraction_bits),
                        function, y, x);
   } else {
-    return limited<To>(nearest_angle(y.raw(), x.raw(), To::fraction_bits), function, y, x);
+    return limited<To>(nearest_angle(y.raw(), x.raw(), result_bits<To, Number>()), function, y, x);
   }
 }
 

@@ -18,31 +18,75 @@
 
 namespace fixproof::detail::in_compact_words {
 
-/// The angle of (width, height), or of (-width, height), from 0 to pi. @pre as arctangent()
-constexpr std::int64_t angle_ulps(std::uint64_t height, std::uint64_t width, bool is_left,
-                                  std::int32_t error, int fraction_bits) noexcept {
-  const bool is_steep = width < height;
-  const std::uint64_t d = is_steep ? height : width;
-  std::uint64_t n = is_steep ? width : height;
+/// An angle: high / 2^58 + low / 2^90.
+struct long_angle {
+  std::int64_t high;
+  std::int64_t low;
+};
+
+/// Of results with more fraction bits, digits decide some.
+inline constexpr int most_angle_bits = 16;
+
+/// The error of a long_arctangent() in units of 2^-90, and that of an angle of four quarters.
+inline constexpr std::int64_t angle_error = 700;
+
+/// The arctangent of n / d for 0 <= n <= d, d > 0 and 64 n^2 + 64 d^2 < 2^63 d. The error is below
+/// 666 units of 2^-90.
+///
+/// As in arctangent(), it is that of i/64 plus that of z, but a ratio of 1 counts as one below: then
+/// i is 63 and z is 1/127. So y = 64 z is below 1, and atan(z) = z - z y^2 S / 8192 with
+/// S = 2/3 - y^2 (2/5 - ...) / 4096. In units of 2^-90:
+/// - z is less than 1 too low, and the table is 1/2 off.
+/// - y has 64 bits, so z y^2 S / 8192, which is below 2^-19.58, is up to 85 too low.
+/// - y^2 is up to 3 units of 2^-64 too low, the product with S 1 more, and S up to 1/2 unit too high
+///   or 1 1/2 too low: together less than 3 1/2 units too low or 1 1/2 too high. A unit counts 128.
+/// - the last product is less than 128 too low.
+/// The terms after z^13 are below 2^-93.
+constexpr long_angle long_arctangent(std::uint64_t n, std::uint64_t d) noexcept {
   std::uint64_t rest = n;
-  // As arctangent(), except that a ratio of 1 is 63/64 and a z of 1/127
-  const auto i = static_cast<std::uint32_t>(take_quotient(rest, d, 6));
-  const std::uint64_t z = take_quotient(rest, 64 * d + i * n, 58);
-  const std::uint64_t square = high_product(z << 11, z << 11);
-  const std::uint64_t sum =
-      series_of(arctangent_coefficients.data(), arctangent_coefficients.size(), square, true);
-  auto angle = static_cast<std::int64_t>(arctangents[i] + z - high_product(z, sum));
-  if (is_steep) angle = static_cast<std::int64_t>(pi_58 >> 1) - angle;
-  if (is_left) angle = static_cast<std::int64_t>(pi_58) - angle;
-  return nearest_or_undecided(angle, error, 58 - fraction_bits);
+  const std::uint32_t i = take_quotient(rest, d, 6);
+  const std::uint64_t divisor = (d << 6) + i * n;
+  rest <<= 6;
+  // In units of 2^-58, and the next 32 bits
+  const std::uint64_t upper = take_quotient(rest, divisor, 20);
+  const std::uint64_t z = upper << 32 | take_quotient(rest, divisor, 32);
+  const std::uint32_t z_rest = take_quotient(rest, divisor, 32);
+  const std::uint64_t y = z << 12 | z_rest >> 20;
+  const std::uint64_t square = high_product(y, y);
+  constexpr std::uint64_t two_thirds = 0xaaaaaaaaaaaaaaab;
+  const std::uint64_t tail = series_of(long_arctangent_coefficients.data(),
+                                       long_arctangent_coefficients.size(), square, true);
+  // In units of 2^-83
+  const std::uint64_t less = high_product(y, high_product(square, two_thirds - (tail >> 12)));
+  return {static_cast<std::int64_t>(arctangents[i] + z - (less >> 25)),
+          std::int64_t{arctangent_rests[i]} + std::int64_t{z_rest} -
+              static_cast<std::int64_t>(less << 39 >> 32)};
+}
+
+/// The angle of (width, height), or of (-width, height), from 0 to pi, or `undecided`.
+constexpr std::int64_t angle_ulps(std::uint64_t height, std::uint64_t width, bool is_left,
+                                  std::int64_t error, int fraction_bits) noexcept {
+  const bool is_steep = width < height;
+  long_angle angle =
+      long_arctangent(is_steep ? width : height, is_steep ? height : width);
+  if (is_steep) {
+    angle = {static_cast<std::int64_t>(pi_58 >> 1) - angle.high,
+             (std::int64_t{pi_58 & 1} << 31) + (pi_rest >> 1) - angle.low};
+  }
+  if (is_left) angle = {static_cast<std::int64_t>(pi_58) - angle.high, pi_rest - angle.low};
+  return nearest_or_undecided(angle.high + ((angle.low - error) >> 32),
+                              angle.high + ((angle.low + error) >> 32), 58 - fraction_bits);
 }
 
 constexpr std::int64_t vector_angle_ulps(std::int64_t y, std::int64_t x,
                                          int fraction_bits) noexcept {
   if (y == 0 && x >= 0) return 0;
+  // No vector is nearer to a tie than 2^-80.5 if the result has at most 16 fraction bits; see
+  // docs/functions/arctangent.md.
   const std::int64_t ulps =
       angle_ulps(static_cast<std::uint64_t>(y < 0 ? -y : y),
-                 static_cast<std::uint64_t>(x < 0 ? -x : x), x < 0, 8, fraction_bits);
+                 static_cast<std::uint64_t>(x < 0 ? -x : x), x < 0,
+                 fraction_bits <= most_angle_bits ? 0 : angle_error, fraction_bits);
   return y < 0 && ulps != undecided ? -ulps : ulps;
 }
 
@@ -51,7 +95,7 @@ constexpr std::int64_t vector_angle_ulps(std::int64_t y, std::int64_t x,
 template <class Bits>
 constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, Bits fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated()) return detail::nearest_angle(y, x, fraction_bits);
-  return decided<Bits>(vector_angle_ulps(y, x, fraction_bits),
+  return decided<has_at_most<Bits, most_angle_bits>>(vector_angle_ulps(y, x, fraction_bits),
                        [&] { return in_digits::vector_angle_ulps(y, x, fraction_bits); });
 }
 

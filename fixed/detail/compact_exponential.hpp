@@ -46,7 +46,7 @@ constexpr std::int64_t power_ulps(const binary_exponent& exponent, int fraction_
     return in_digits::rounded_half(false, ties);
   }
   // power_within() allows 49/4 + 6 for an exponent that is off by 49.
-  return nearest_or_undecided(static_cast<std::int64_t>(power_of(fraction) >> 2), 18, 61 - place);
+  return nearest_or_undecided_within(static_cast<std::int64_t>(power_of(fraction) >> 2), 18, 61 - place);
 }
 
 template <exponential_base Base>
@@ -83,7 +83,7 @@ constexpr std::int64_t logarithm_ulps(std::uint64_t raw, int operand_bits, int f
   std::uint64_t fraction = binary_logarithm_of(raw);
   // The scale of base two is 2^64, which is 0 here.
   if (scale != 0) fraction = high_product(fraction, scale);
-  return nearest_or_undecided(exponent * whole + static_cast<std::int64_t>(fraction >> 7), 20,
+  return nearest_or_undecided_within(exponent * whole + static_cast<std::int64_t>(fraction >> 7), 20,
                               57 - fraction_bits);
 }
 
@@ -101,7 +101,7 @@ constexpr std::int64_t hyperbolic_ulps(std::int64_t x, int fraction_bits,
   const auto whole = static_cast<int>(up.whole);
   const std::int64_t small = falling(x) >> (whole + 1);
   const auto rising = static_cast<std::int64_t>(power_of(up.fraction) >> 2);
-  return nearest_or_undecided(function == hyperbola::sine ? rising - small : rising + small, 40,
+  return nearest_or_undecided_within(function == hyperbola::sine ? rising - small : rising + small, 40,
                               62 - whole - fraction_bits);
 }
 
@@ -110,8 +110,9 @@ constexpr std::int64_t hyperbolic_tangent_ulps(std::int64_t x, int fraction_bits
   constexpr std::uint64_t one = std::uint64_t{1} << 62;
   const auto t = static_cast<std::uint64_t>(falling(2 * x));
   std::uint64_t rest = one - t;
-  return nearest_or_undecided(static_cast<std::int64_t>(take_quotient(rest, one + t, 62)), 24,
-                              62 - fraction_bits);
+  const std::uint64_t high = take_quotient(rest, one + t, 30);
+  const auto value = static_cast<std::int64_t>(high << 32 | take_quotient(rest, one + t, 32));
+  return nearest_or_undecided_within(value, 24, 62 - fraction_bits);
 }
 
 // Constant expressions compute in words; variant.hpp has the reasons.
@@ -120,7 +121,7 @@ template <exponential_base Base, rounding Rounding, class Bits>
 constexpr std::int64_t nearest_exponential(std::int64_t x, Bits fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated())
     return detail::nearest_exponential<Base, Rounding>(x, fraction_bits);
-  return decided<Bits>(exponential_ulps<Base>(x, fraction_bits, Rounding), [&] {
+  return decided<is_tried<Bits>>(exponential_ulps<Base>(x, fraction_bits, Rounding), [&] {
     return in_digits::exponential_ulps(x, fraction_bits, Base, Rounding);
   });
 }
@@ -131,7 +132,7 @@ constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int operand_bits,
   if (__builtin_is_constant_evaluated()) {
     return detail::nearest_logarithm<Base>(raw, operand_bits, fraction_bits);
   }
-  return decided<Bits>(
+  return decided<is_tried<Bits>>(
       logarithm_ulps(raw, operand_bits, fraction_bits, scale_of<Base>.whole, scale_of<Base>.fraction),
       [&] { return in_digits::logarithm_ulps(raw, operand_bits, fraction_bits, Base); });
 }
@@ -140,7 +141,7 @@ template <hyperbola Function, class Bits>
 constexpr std::int64_t nearest_hyperbolic(std::int64_t x, Bits fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated())
     return detail::nearest_hyperbolic<Function>(x, fraction_bits);
-  return decided<Bits>(hyperbolic_ulps(x, fraction_bits, Function),
+  return decided<is_tried<Bits>>(hyperbolic_ulps(x, fraction_bits, Function),
                        [&] { return in_digits::hyperbolic_ulps(x, fraction_bits, Function); });
 }
 
@@ -148,7 +149,7 @@ template <class Bits>
 constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, Bits fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated())
     return detail::nearest_hyperbolic_tangent(x, fraction_bits);
-  return decided<Bits>(hyperbolic_tangent_ulps(x, fraction_bits),
+  return decided<is_tried<Bits>>(hyperbolic_tangent_ulps(x, fraction_bits),
                        [&] { return in_digits::hyperbolic_tangent_ulps(x, fraction_bits); });
 }
 

@@ -68,7 +68,7 @@ constexpr std::int64_t sine_ulps(std::uint64_t phase, int fraction_bits) noexcep
   const auto magnitude = static_cast<std::int64_t>(
       quarter -
       series_of(cosine_coefficients.data(), cosine_coefficients.size(), square, true));
-  return nearest_or_undecided(phase >> 63 == 0 ? magnitude : -magnitude, 64, 62 - fraction_bits);
+  return nearest_or_undecided_within(phase >> 63 == 0 ? magnitude : -magnitude, 64, 62 - fraction_bits);
 }
 
 // Constant expressions compute in words; variant.hpp has the reasons.
@@ -85,7 +85,7 @@ constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead, int ang
     return detail::nearest_sine_of<Unit, Rounding>(raw, ahead, angle_bits, fraction_bits);
   }
   const std::uint64_t phase = phase_of<Unit>(raw, angle_bits) + (std::uint64_t{ahead} << 62);
-  return decided<Bits>(sine_ulps(phase, fraction_bits), [&] {
+  return decided<is_tried<Bits>>(sine_ulps(phase, fraction_bits), [&] {
     return in_digits::sine_ulps(raw, ahead, angle_bits, fraction_bits, Unit, Rounding);
   });
 }

@@ -63,36 +63,45 @@ FIXED_NOINLINE constexpr std::uint64_t series_of(const std::uint64_t* coefficien
 }
 
 /// floor(rest * 2^bits / divisor), of which `rest` keeps the remainder. For a ratio of 1, all bits
-/// are ones, and the divisor remains. @pre rest <= divisor < 2^63
-FIXED_NOINLINE constexpr std::uint64_t take_quotient(std::uint64_t& rest, std::uint64_t divisor,
+/// are ones, and the divisor remains. @pre rest <= divisor < 2^63, 0 < bits <= 32
+FIXED_NOINLINE constexpr std::uint32_t take_quotient(std::uint64_t& rest, std::uint64_t divisor,
                                                      int bits) noexcept {
-  FIXED_ASSERT(rest <= divisor && divisor >> 63 == 0);
+  FIXED_ASSERT(rest <= divisor && divisor >> 63 == 0 && bits > 0 && bits <= 32);
   std::uint64_t left = rest;
-  std::uint64_t quotient = 0;
-  for (; bits > 0; --bits) {
-    left += left;
-    quotient += quotient;
-    if (left >= divisor) {
-      left -= divisor;
+  // A bit above those of the quotient leaves the word when the last of them comes.
+  std::uint32_t quotient = std::uint32_t{1} << (32 - bits);
+  bool is_last = false;
+  do {
+    is_last = quotient >> 31 != 0;
+    quotient <<= 1;
+    left <<= 1;
+    const std::uint64_t less = left - divisor;
+    if (static_cast<std::int64_t>(less) >= 0) {
+      left = less;
       ++quotient;
     }
-  }
+  } while (!is_last);
   rest = left;
   return quotient;
 }
 
-/// The integer nearest to value +- error in units of 2^-bits, or `undecided` if there are two.
-FIXED_NOINLINE constexpr std::int64_t nearest_or_undecided(std::int64_t value, std::int32_t error,
+/// The integer nearest to both ends in units of 2^-bits, or `undecided` if there are two.
+FIXED_NOINLINE constexpr std::int64_t nearest_or_undecided(std::int64_t low, std::int64_t high,
                                                            int bits) noexcept {
-  const nearest_ends ends = nearest_within(value, std::int64_t{error}, bits);
-  return ends.agree() ? ends.low : undecided;
+  const std::int64_t ulps = nearest_within(low, std::int64_t{0}, bits).low;
+  return nearest_within(high, std::int64_t{0}, bits).low == ulps ? ulps : undecided;
 }
 
-/// The integer that `ulps` is, or the one that digits compute, which programs that use only formats
-/// that are tried do not contain.
-template <class Bits, class Digits>
+/// The integer nearest to value +- error, likewise.
+constexpr std::int64_t nearest_or_undecided_within(std::int64_t value, std::int32_t error, int bits) noexcept {
+  return nearest_or_undecided(value - error, value + error, bits);
+}
+
+/// `ulps`, or what the digits compute if it is undecided; programs in which it never is do not
+/// contain digits.
+template <bool IsAlways, class Digits>
 constexpr std::int64_t decided(std::int64_t ulps, const Digits& digits) noexcept {
-  if constexpr (is_tried<Bits>) {
+  if constexpr (IsAlways) {
     FIXED_ASSERT(ulps != undecided);
     return ulps;
   } else {
