@@ -76,7 +76,7 @@ constexpr To triangle_angle(Number x, const char* function) noexcept(To::never_t
     constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
     if (x.raw() > one || x.raw() < -one) return outside_domain<To>(0, function, x);
     return limited<To>(
-        nearest_triangle_angle<Side>(x.raw(), Number::fraction_bits, To::fraction_bits), function,
+        nearest_triangle_angle<Side>(x.raw(), Number::fraction_bits, result_bits<To, Number>()), function,
         x);
   }
 }

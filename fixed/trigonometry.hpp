@@ -62,7 +62,7 @@ constexpr To tangent_of(Number x, const char* function) noexcept(To::never_throw
     if (is_pole<Unit>(x.raw(), Number::fraction_bits)) {
       return outside_domain<To>((limits::max)(), function, x);
     }
-    return limited<To>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits, To::fraction_bits),
+    return limited<To>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits, result_bits<To, Number>()),
                        function, x);
   }
 }

@@ -90,6 +90,35 @@ constexpr std::int64_t vector_angle_ulps(std::int64_t y, std::int64_t x,
   return y < 0 && ulps != undecided ? -ulps : ulps;
 }
 
+/// The arcsine or arccosine. @pre |raw| <= 2^operand_bits <= 2^32
+constexpr std::int64_t triangle_angle_ulps(std::int64_t raw, int operand_bits, int fraction_bits,
+                                           triangle_side side) noexcept {
+  const auto known = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
+  std::uint64_t given = 0;
+  std::uint64_t other = 0;
+  if (known == 0 || known >> operand_bits != 0) {
+    (known == 0 ? other : given) = 1;
+  } else {
+    // Both sides in units of 2^-56 of the hypotenuse. The root is in units of 2^-31 of that of
+    // `rest`, which is at least 2^62, and is off by less than 2 units: rest / (2 root) is rounded
+    // down, and the next term is below a half. So the other side is off by less than 1.1 units,
+    // and moves the angle by at most as much.
+    constexpr int bits = 56;
+    std::uint64_t rest = 0 - known * known;
+    if (operand_bits < 32) rest += std::uint64_t{1} << (2 * operand_bits);
+    int shift = 31 + operand_bits - bits;
+    for (; rest >> 62 == 0; rest <<= 2) ++shift;
+    const std::uint64_t root = take_root(rest);
+    other = ((root << 31) + take_quotient(rest, 2 * root, 31)) >> shift;
+    given = known << (bits - operand_bits);
+  }
+  constexpr std::int64_t error = std::int64_t{5} << 32;
+  const bool is_sine = side == triangle_side::sine;
+  const std::int64_t ulps = angle_ulps(is_sine ? given : other, is_sine ? other : given,
+                                       !is_sine && raw < 0, error, fraction_bits);
+  return is_sine && raw < 0 && ulps != undecided ? -ulps : ulps;
+}
+
 // Constant expressions compute in words; variant.hpp has the reasons.
 
 template <class Bits>
@@ -102,7 +131,13 @@ constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, Bits fracti
 template <triangle_side Side, class Bits>
 constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int operand_bits,
                                               Bits fraction_bits) noexcept {
-  return in_digits::nearest_triangle_angle<Side>(raw, operand_bits, fraction_bits);
+  if (__builtin_is_constant_evaluated()) {
+    return detail::nearest_triangle_angle<Side>(raw, operand_bits, fraction_bits);
+  }
+  return decided<is_tried<Bits>>(
+      triangle_angle_ulps(raw, operand_bits, fraction_bits, Side), [&] {
+        return in_digits::triangle_angle_ulps(raw, operand_bits, fraction_bits, Side);
+      });
 }
 
 }  // namespace fixproof::detail::in_compact_words

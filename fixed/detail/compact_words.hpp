@@ -63,10 +63,12 @@ FIXED_NOINLINE constexpr std::uint64_t series_of(const std::uint64_t* coefficien
 }
 
 /// floor(rest * 2^bits / divisor), of which `rest` keeps the remainder. For a ratio of 1, all bits
-/// are ones, and the divisor remains. @pre rest <= divisor < 2^63, 0 < bits <= 32
+/// are ones, and the divisor remains. @pre rest <= divisor, rest < 2^63, divisor <= 2^63 and
+/// 0 < bits <= 32
 FIXED_NOINLINE constexpr std::uint32_t take_quotient(std::uint64_t& rest, std::uint64_t divisor,
                                                      int bits) noexcept {
-  FIXED_ASSERT(rest <= divisor && divisor >> 63 == 0 && bits > 0 && bits <= 32);
+  FIXED_ASSERT(rest <= divisor && rest >> 63 == 0 && (divisor - 1) >> 63 == 0);
+  FIXED_ASSERT(bits > 0 && bits <= 32);
   std::uint64_t left = rest;
   // A bit above those of the quotient leaves the word when the last of them comes.
   std::uint32_t quotient = std::uint32_t{1} << (32 - bits);
@@ -83,6 +85,22 @@ FIXED_NOINLINE constexpr std::uint32_t take_quotient(std::uint64_t& rest, std::u
   } while (!is_last);
   rest = left;
   return quotient;
+}
+
+/// The integer below sqrt(n), of which `n` keeps what the square lacks: at most twice the root.
+FIXED_NOINLINE constexpr std::uint32_t take_root(std::uint64_t& n) noexcept {
+  std::uint64_t rest = n;
+  std::uint64_t root = 0;
+  for (std::uint64_t bit = std::uint64_t{1} << 62; bit > 0; bit >>= 2) {
+    const std::uint64_t trial = root + bit;
+    root >>= 1;
+    if (rest >= trial) {
+      rest -= trial;
+      root += bit;
+    }
+  }
+  n = rest;
+  return static_cast<std::uint32_t>(root);
 }
 
 /// The integer nearest to both ends in units of 2^-bits, or `undecided` if there are two.
