@@ -18,11 +18,12 @@
 #include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
 
-#if defined(FIXED_SMALL)
+#if defined(FIXED_SMALL) || defined(FIXED_COMPACT)
 #include "fixed/detail/digit_angle.hpp"
-#elif defined(FIXED_COMPACT)
+#endif
+#if defined(FIXED_COMPACT)
 #include "fixed/detail/compact_angle.hpp"
-#else
+#elif !defined(FIXED_SMALL)
 #include "fixed/detail/arcsine.hpp"
 #include "fixed/detail/arctangent.hpp"
 #endif
@@ -76,8 +77,8 @@ constexpr To triangle_angle(Number x, const char* function) noexcept(To::never_t
     constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
     if (x.raw() > one || x.raw() < -one) return outside_domain<To>(0, function, x);
     return limited<To>(
-        nearest_triangle_angle<Side>(x.raw(), Number::fraction_bits, result_bits<To, Number>()), function,
-        x);
+        nearest_triangle_angle<Side>(x.raw(), Number::fraction_bits, result_bits<To, Number>()),
+        function, x);
   }
 }
 

@@ -23,11 +23,12 @@
 #include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
 
-#if defined(FIXED_SMALL)
+#if defined(FIXED_SMALL) || defined(FIXED_COMPACT)
 #include "fixed/detail/digit_exponential.hpp"
-#elif defined(FIXED_COMPACT)
+#endif
+#if defined(FIXED_COMPACT)
 #include "fixed/detail/compact_exponential.hpp"
-#else
+#elif !defined(FIXED_SMALL)
 #include "fixed/detail/exponential.hpp"
 #include "fixed/detail/hyperbolic.hpp"
 #endif

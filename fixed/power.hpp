@@ -24,11 +24,12 @@
 #include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
 
-#if defined(FIXED_SMALL)
+#if defined(FIXED_SMALL) || defined(FIXED_COMPACT)
 #include "fixed/detail/digit_power.hpp"
-#elif defined(FIXED_COMPACT)
+#endif
+#if defined(FIXED_COMPACT)
 #include "fixed/detail/compact_power.hpp"
-#else
+#elif !defined(FIXED_SMALL)
 #include "fixed/detail/power.hpp"
 #endif
 
@@ -122,9 +123,8 @@ constexpr auto cube_root(Number x) noexcept {
     return interval_cube_root<rounding_of<Number>>(real_operand_of(x), Number::fraction_bits);
   } else {
     const std::int64_t raw{x.raw()};
-    const std::int64_t root =
-        nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw),
-                          result_bits<Number, Number>());
+    const std::int64_t root = nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw),
+                                                result_bits<Number, Number>());
     return raw < 0 ? -root : root;
   }
 }

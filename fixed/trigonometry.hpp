@@ -21,11 +21,12 @@
 #include "fixed/number.hpp"
 #include "fixed/sine.hpp"
 
-#if defined(FIXED_SMALL)
+#if defined(FIXED_SMALL) || defined(FIXED_COMPACT)
 #include "fixed/detail/digit_phase.hpp"
-#elif defined(FIXED_COMPACT)
+#endif
+#if defined(FIXED_COMPACT)
 #include "fixed/detail/compact_phase.hpp"
-#else
+#elif !defined(FIXED_SMALL)
 #include "fixed/detail/phase.hpp"
 #endif
 
@@ -62,8 +63,9 @@ constexpr To tangent_of(Number x, const char* function) noexcept(To::never_throw
     if (is_pole<Unit>(x.raw(), Number::fraction_bits)) {
       return outside_domain<To>((limits::max)(), function, x);
     }
-    return limited<To>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits, result_bits<To, Number>()),
-                       function, x);
+    return limited<To>(
+        nearest_tangent<Unit>(x.raw(), Number::fraction_bits, result_bits<To, Number>()), function,
+        x);
   }
 }
 

@@ -33,12 +33,13 @@ inline constexpr std::int64_t angle_error = 700;
 /// The arctangent of n / d for 0 <= n <= d, d > 0 and 64 n^2 + 64 d^2 < 2^63 d. The error is below
 /// 666 units of 2^-90.
 ///
-/// As in arctangent(), it is that of i/64 plus that of z, but a ratio of 1 counts as one below: then
-/// i is 63 and z is 1/127. So y = 64 z is below 1, and atan(z) = z - z y^2 S / 8192 with
-/// S = 2/3 - y^2 (2/5 - ...) / 4096. In units of 2^-90:
+/// As in arctangent(), it is that of i/64 plus that of z, but a ratio of 1 counts as one below:
+/// then i is 63 and z is 1/127. So y = 64 z is below 1, and atan(z) = z - z y^2 S / 8192 with S =
+/// 2/3 - y^2 (2/5 - ...) / 4096. In units of 2^-90:
 /// - z is less than 1 too low, and the table is 1/2 off.
 /// - y has 64 bits, so z y^2 S / 8192, which is below 2^-19.58, is up to 85 too low.
-/// - y^2 is up to 3 units of 2^-64 too low, the product with S 1 more, and S up to 1/2 unit too high
+/// - y^2 is up to 3 units of 2^-64 too low, the product with S 1 more, and S up to 1/2 unit too
+/// high
 ///   or 1 1/2 too low: together less than 3 1/2 units too low or 1 1/2 too high. A unit counts 128.
 /// - the last product is less than 128 too low.
 /// The terms after z^13 are below 2^-93.
@@ -67,8 +68,7 @@ constexpr long_angle long_arctangent(std::uint64_t n, std::uint64_t d) noexcept 
 constexpr std::int64_t angle_ulps(std::uint64_t height, std::uint64_t width, bool is_left,
                                   std::int64_t error, int fraction_bits) noexcept {
   const bool is_steep = width < height;
-  long_angle angle =
-      long_arctangent(is_steep ? width : height, is_steep ? height : width);
+  long_angle angle = long_arctangent(is_steep ? width : height, is_steep ? height : width);
   if (is_steep) {
     angle = {static_cast<std::int64_t>(pi_58 >> 1) - angle.high,
              (std::int64_t{pi_58 & 1} << 31) + (pi_rest >> 1) - angle.low};
@@ -83,10 +83,9 @@ constexpr std::int64_t vector_angle_ulps(std::int64_t y, std::int64_t x,
   if (y == 0 && x >= 0) return 0;
   // No vector is nearer to a tie than 2^-80.5 if the result has at most 16 fraction bits; see
   // docs/functions/arctangent.md.
-  const std::int64_t ulps =
-      angle_ulps(static_cast<std::uint64_t>(y < 0 ? -y : y),
-                 static_cast<std::uint64_t>(x < 0 ? -x : x), x < 0,
-                 fraction_bits <= most_angle_bits ? 0 : angle_error, fraction_bits);
+  const std::int64_t ulps = angle_ulps(
+      static_cast<std::uint64_t>(y < 0 ? -y : y), static_cast<std::uint64_t>(x < 0 ? -x : x), x < 0,
+      fraction_bits <= most_angle_bits ? 0 : angle_error, fraction_bits);
   return y < 0 && ulps != undecided ? -ulps : ulps;
 }
 
@@ -124,8 +123,9 @@ constexpr std::int64_t triangle_angle_ulps(std::int64_t raw, int operand_bits, i
 template <class Bits>
 constexpr std::int64_t nearest_angle(std::int64_t y, std::int64_t x, Bits fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated()) return detail::nearest_angle(y, x, fraction_bits);
-  return decided<has_at_most<Bits, most_angle_bits>>(vector_angle_ulps(y, x, fraction_bits),
-                       [&] { return in_digits::vector_angle_ulps(y, x, fraction_bits); });
+  return decided<has_at_most<Bits, most_angle_bits>>(vector_angle_ulps(y, x, fraction_bits), [&] {
+    return in_digits::vector_angle_ulps(y, x, fraction_bits);
+  });
 }
 
 template <triangle_side Side, class Bits>
@@ -134,10 +134,9 @@ constexpr std::int64_t nearest_triangle_angle(std::int64_t raw, int operand_bits
   if (__builtin_is_constant_evaluated()) {
     return detail::nearest_triangle_angle<Side>(raw, operand_bits, fraction_bits);
   }
-  return decided<is_tried<Bits>>(
-      triangle_angle_ulps(raw, operand_bits, fraction_bits, Side), [&] {
-        return in_digits::triangle_angle_ulps(raw, operand_bits, fraction_bits, Side);
-      });
+  return decided<is_tried<Bits>>(triangle_angle_ulps(raw, operand_bits, fraction_bits, Side), [&] {
+    return in_digits::triangle_angle_ulps(raw, operand_bits, fraction_bits, Side);
+  });
 }
 
 }  // namespace fixproof::detail::in_compact_words

@@ -24,11 +24,11 @@ namespace fixproof::detail::in_compact_words {
 /// power_of_two() with all terms.
 FIXED_NOINLINE constexpr std::uint64_t power_of(std::uint64_t x) noexcept {
   const std::uint64_t power = powers_of_two[static_cast<std::uint32_t>(x >> 59)];
-  return power + high_product(power, series_of(power_coefficients.data(), power_terms, x << 5,
-                                               false));
+  return power +
+         high_product(power, series_of(power_coefficients.data(), power_terms, x << 5, false));
 }
 
-/// As exponent_of<exponential_base::e>().
+/// exponent_of<exponential_base::e>().
 constexpr binary_exponent natural_exponent_of(std::int64_t x) noexcept {
   const auto bits = static_cast<std::uint64_t>(x);
   const std::uint64_t high = high_product(bits, log2_e) - (x < 0 ? log2_e : 0);
@@ -46,15 +46,17 @@ constexpr std::int64_t power_ulps(const binary_exponent& exponent, int fraction_
     return in_digits::rounded_half(false, ties);
   }
   // power_within() allows 49/4 + 6 for an exponent that is off by 49.
-  return nearest_or_undecided_within(static_cast<std::int64_t>(power_of(fraction) >> 2), 18, 61 - place);
+  return nearest_or_undecided_within(static_cast<std::int64_t>(power_of(fraction) >> 2), 18,
+                                     61 - place);
 }
 
 template <exponential_base Base>
-constexpr std::int64_t exponential_ulps(std::int64_t x, int fraction_bits,
-                                        rounding ties) noexcept {
-  const binary_exponent exponent =
-      Base == exponential_base::e ? natural_exponent_of(x) : detail::exponent_of<exponential_base::two>(x);
-  return power_ulps(exponent, fraction_bits, Base, ties);
+constexpr std::int64_t exponential_ulps(std::int64_t x, int fraction_bits, rounding ties) noexcept {
+  if constexpr (Base == exponential_base::e) {
+    return power_ulps(natural_exponent_of(x), fraction_bits, Base, ties);
+  } else {
+    return power_ulps({x >> 32, static_cast<std::uint64_t>(x) << 32}, fraction_bits, Base, ties);
+  }
 }
 
 /// The reciprocals of exponential.hpp less 2^31, so that they fit into 32 bits.
@@ -70,8 +72,7 @@ inline constexpr std::array<std::uint32_t, 64> short_reciprocals = [] {
 constexpr std::uint64_t binary_logarithm_of(std::uint64_t m) noexcept {
   const std::size_t interval = m >> 26 & 63;
   // m times the reciprocal, modulo 2^64, which is the leading 1
-  const std::uint64_t product =
-      m * short_reciprocals[interval] + (m << 31);
+  const std::uint64_t product = m * short_reciprocals[interval] + (m << 31);
   return logarithms[interval] +
          series_of(logarithm_coefficients.data(), logarithm_terms, product << 5, true);
 }
@@ -83,8 +84,8 @@ constexpr std::int64_t logarithm_ulps(std::uint64_t raw, int operand_bits, int f
   std::uint64_t fraction = binary_logarithm_of(raw);
   // The scale of base two is 2^64, which is 0 here.
   if (scale != 0) fraction = high_product(fraction, scale);
-  return nearest_or_undecided_within(exponent * whole + static_cast<std::int64_t>(fraction >> 7), 20,
-                              57 - fraction_bits);
+  return nearest_or_undecided_within(exponent * whole + static_cast<std::int64_t>(fraction >> 7),
+                                     20, 57 - fraction_bits);
 }
 
 /// falling_exponential() with all terms.
@@ -135,7 +136,8 @@ constexpr std::int64_t nearest_logarithm(std::uint64_t raw, int operand_bits,
     return detail::nearest_logarithm<Base>(raw, operand_bits, fraction_bits);
   }
   return decided<is_tried<Bits>>(
-      logarithm_ulps(raw, operand_bits, fraction_bits, scale_of<Base>.whole, scale_of<Base>.fraction),
+      logarithm_ulps(raw, operand_bits, fraction_bits, scale_of<Base>.whole,
+                     scale_of<Base>.fraction),
       [&] { return in_digits::logarithm_ulps(raw, operand_bits, fraction_bits, Base); });
 }
 
@@ -143,16 +145,18 @@ template <hyperbola Function, class Bits>
 constexpr std::int64_t nearest_hyperbolic(std::int64_t x, Bits fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated())
     return detail::nearest_hyperbolic<Function>(x, fraction_bits);
-  return decided<is_tried<Bits>>(hyperbolic_ulps(x, fraction_bits, Function),
-                       [&] { return in_digits::hyperbolic_ulps(x, fraction_bits, Function); });
+  return decided<is_tried<Bits>>(hyperbolic_ulps(x, fraction_bits, Function), [&] {
+    return in_digits::hyperbolic_ulps(x, fraction_bits, Function);
+  });
 }
 
 template <class Bits>
 constexpr std::int64_t nearest_hyperbolic_tangent(std::int64_t x, Bits fraction_bits) noexcept {
   if (__builtin_is_constant_evaluated())
     return detail::nearest_hyperbolic_tangent(x, fraction_bits);
-  return decided<is_tried<Bits>>(hyperbolic_tangent_ulps(x, fraction_bits),
-                       [&] { return in_digits::hyperbolic_tangent_ulps(x, fraction_bits); });
+  return decided<is_tried<Bits>>(hyperbolic_tangent_ulps(x, fraction_bits), [&] {
+    return in_digits::hyperbolic_tangent_ulps(x, fraction_bits);
+  });
 }
 
 }  // namespace fixproof::detail::in_compact_words

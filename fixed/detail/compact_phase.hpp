@@ -51,7 +51,7 @@ FIXED_NOINLINE constexpr std::uint64_t phase_of(std::int64_t raw, int fraction_b
 template <angle_unit Unit>
 constexpr std::uint64_t phase_of(std::int64_t raw, int fraction_bits) noexcept {
   if constexpr (Unit == angle_unit::turn) {
-    return detail::phase_of<Unit>(raw, fraction_bits);
+    return fraction_bits == 0 ? 0 : static_cast<std::uint64_t>(raw) << (64 - fraction_bits);
   } else {
     return phase_of(raw, fraction_bits,
                     Unit == angle_unit::radian ? turns_of_radian : turns_of_degree);
@@ -66,16 +66,83 @@ constexpr std::int64_t sine_ulps(std::uint64_t phase, int fraction_bits) noexcep
   const std::uint64_t angle = high_product(from_peak << 1, half_pi << 1) << 1;
   const std::uint64_t square = high_product(angle, angle);
   const auto magnitude = static_cast<std::int64_t>(
-      quarter -
-      series_of(cosine_coefficients.data(), cosine_coefficients.size(), square, true));
-  return nearest_or_undecided_within(phase >> 63 == 0 ? magnitude : -magnitude, 64, 62 - fraction_bits);
+      quarter - series_of(cosine_coefficients.data(), cosine_coefficients.size(), square, true));
+  return nearest_or_undecided_within(phase >> 63 == 0 ? magnitude : -magnitude, 64,
+                                     62 - fraction_bits);
+}
+
+/// Of the phase, tangents take 8 bits more than words have: those of 2^8 times the angle.
+inline constexpr int more_phase_bits = 8;
+
+/// The tangent of a phase from 0 on, or `undecided`; 2^34 for every result from there on. @param
+/// fine 2^8 times the phase, modulo 2^64
+///
+/// As in tangent_of_phase(), the angle is i / 64 of a quarter turn, and z beyond, but z has the 8
+/// bits more. In the upper half of a quarter, all bits of the phase become their complements, which
+/// makes it a unit of 2^-72 too low. Numerator and divisor are then less than 8 units off as in
+/// tangent_of_phase(). The divisor of a steep tangent with i = 0 is that of z alone, 2^6 times as
+/// many units of 2^-62: it is less than 5 of these units off.
+constexpr std::int64_t tangent_ulps(std::uint64_t phase, std::uint64_t fine,
+                                    int fraction_bits) noexcept {
+  constexpr std::uint64_t one = std::uint64_t{1} << 62;
+  std::uint64_t part = phase << 2;
+  const bool is_odd_quarter = (phase >> 62 & 1) != 0;
+  const bool is_upper = part >> 63 != 0;
+  if (is_upper) {
+    part = ~part;
+    fine = ~fine;
+  }
+  const auto i = static_cast<std::uint32_t>(part >> 58);
+  const std::uint64_t z = high_product(fine, half_pi << 1);  // 32 z in units of 2^-64
+  const std::uint64_t rest =
+      z + high_product(z, series_of(tangent_coefficients.data(), tangent_coefficients.size(),
+                                    high_product(z, z), false));
+  const std::uint64_t middle = tangents[i];
+  std::uint64_t numerator = middle + (rest >> 7);
+  std::uint64_t divisor = one - (high_product(middle << 1, rest) >> 6);
+  // The tangent is numerator / divisor 2^place, and the quotient is at most 1.
+  int place = 0;
+  if (is_upper != is_odd_quarter) {
+    std::uint64_t steep = numerator;
+    if (i == 0) {
+      steep = rest >> 1;
+      place = 6;
+    }
+    numerator = divisor;
+    for (divisor = steep; divisor < numerator; divisor <<= 1) {
+      // The tangent is above 2^(place - 1).
+      if (place > 34 - fraction_bits) {
+        return is_odd_quarter ? -(std::int64_t{1} << 34) : std::int64_t{1} << 34;
+      }
+      ++place;
+    }
+  }
+  const std::uint64_t high = take_quotient(numerator, divisor, 30);
+  const auto value = static_cast<std::int64_t>(high << 32 | take_quotient(numerator, divisor, 32));
+  // The errors, and a unit of the quotient. With T = tan and both errors below e, that of a steep
+  // quotient is below e (1 + T) T / 2^place / 0.96, and T is at most 2^place. If i = 0, it is below
+  // 5/64 T^2 / 2^place.
+  const std::int64_t error =
+      i == 0 && place > 0 ? 2 + (std::int64_t{5} << place >> 6) : std::int64_t{18} << place;
+  return nearest_or_undecided(is_odd_quarter ? -value - error : value - error,
+                              is_odd_quarter ? error - value : value + error,
+                              62 - place - fraction_bits);
 }
 
 // Constant expressions compute in words; variant.hpp has the reasons.
 
+/// A phase is less than 2 units off. The distance of any other angle from a pole is at least
+/// 2^-32 / 360 of a turn.
 template <angle_unit Unit>
 constexpr bool is_pole(std::int64_t raw, int fraction_bits) noexcept {
-  return in_digits::is_pole<Unit>(raw, fraction_bits);
+  if constexpr (Unit == angle_unit::radian) {
+    return false;
+  } else {
+    if (__builtin_is_constant_evaluated()) return detail::is_pole<Unit>(raw, fraction_bits);
+    constexpr std::uint64_t near = 8;
+    const std::uint64_t in_half = phase_of<Unit>(raw, fraction_bits) << 1;
+    return in_half - (std::uint64_t{1} << 63) + near < 2 * near;
+  }
 }
 
 template <angle_unit Unit, rounding Rounding, class Bits>
@@ -93,7 +160,19 @@ constexpr std::int64_t nearest_sine_of(std::int64_t raw, unsigned ahead, int ang
 template <angle_unit Unit, class Bits>
 constexpr std::int64_t nearest_tangent(std::int64_t raw, int angle_bits,
                                        Bits fraction_bits) noexcept {
-  return in_digits::nearest_tangent<Unit>(raw, angle_bits, fraction_bits);
+  if (__builtin_is_constant_evaluated()) {
+    return detail::nearest_tangent<Unit>(raw, angle_bits, fraction_bits);
+  }
+  std::int64_t ulps = undecided;
+  if (angle_bits >= more_phase_bits) {
+    const std::int64_t magnitude = raw < 0 ? -raw : raw;
+    ulps = tangent_ulps(phase_of<Unit>(magnitude, angle_bits),
+                        phase_of<Unit>(magnitude, angle_bits - more_phase_bits), fraction_bits);
+    if (raw < 0 && ulps != undecided) ulps = -ulps;
+  }
+  return decided < is_tried<Bits> && has_at_least < Bits,
+         more_phase_bits >>
+             (ulps, [&] { return in_digits::tangent_ulps(raw, angle_bits, fraction_bits, Unit); });
 }
 
 }  // namespace fixproof::detail::in_compact_words

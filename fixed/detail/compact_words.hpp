@@ -111,7 +111,8 @@ FIXED_NOINLINE constexpr std::int64_t nearest_or_undecided(std::int64_t low, std
 }
 
 /// The integer nearest to value +- error, likewise.
-constexpr std::int64_t nearest_or_undecided_within(std::int64_t value, std::int32_t error, int bits) noexcept {
+constexpr std::int64_t nearest_or_undecided_within(std::int64_t value, std::int32_t error,
+                                                   int bits) noexcept {
   return nearest_or_undecided(value - error, value + error, bits);
 }
 

@@ -47,10 +47,14 @@ inline constexpr bool is_tried<result_bits<Number, Number>> =
     Number::fraction_bits > 0 &&
     (sizeof(Number) < 4 || (sizeof(Number) == 4 && Number::fraction_bits == 16));
 
-/// Whether a result is known to have at most so many bits after the point.
+/// Whether a result is known to have at most, or at least, so many bits after the point.
 template <class Bits, int Most>
 inline constexpr bool has_at_most = false;
 template <class To, class Number, int Most>
 inline constexpr bool has_at_most<result_bits<To, Number>, Most> = To::fraction_bits <= Most;
+template <class Bits, int Least>
+inline constexpr bool has_at_least = false;
+template <class To, class Number, int Least>
+inline constexpr bool has_at_least<result_bits<To, Number>, Least> = To::fraction_bits >= Least;
 
 }  // namespace fixproof::detail
