@@ -74,17 +74,20 @@ constexpr std::int64_t sine_ulps(std::uint64_t phase, int fraction_bits) noexcep
 /// Of the phase, tangents take 8 bits more than words have: those of 2^8 times the angle.
 inline constexpr int more_phase_bits = 8;
 
-/// The tangent of a phase from 0 on, or `undecided`; 2^34 for every result from there on. @param
-/// fine 2^8 times the phase, modulo 2^64
+/// The tangent of a phase from 0 on, or `undecided`; 2^34 for every result from there on.
+/// @param fine 2^8 times the phase, modulo 2^64
 ///
 /// As in tangent_of_phase(), the angle is i / 64 of a quarter turn, and z beyond, but z has the 8
 /// bits more. In the upper half of a quarter, all bits of the phase become their complements, which
-/// makes it a unit of 2^-72 too low. Numerator and divisor are then less than 8 units off as in
-/// tangent_of_phase(). The divisor of a steep tangent with i = 0 is that of z alone, 2^6 times as
-/// many units of 2^-62: it is less than 5 of these units off.
+/// takes a unit of 2^-72 of a turn. Numerator and divisor are less than 8 units of 2^-62 off, as in
+/// tangent_of_phase(). If the tangent is above 2^6, i is 0, and the divisor is that of z alone, in
+/// units of 2^-68: the phase is 1.01 units of z off, z rounds down and has 1/2 more from pi/2, the
+/// products lose 4, and the terms after z^9 are below 1. That is less than 9 units of 2^-69, so the
+/// quotient is off by less than 9/128 T.
 constexpr std::int64_t tangent_ulps(std::uint64_t phase, std::uint64_t fine,
                                     int fraction_bits) noexcept {
   constexpr std::uint64_t one = std::uint64_t{1} << 62;
+  constexpr int narrow = 6;
   std::uint64_t part = phase << 2;
   const bool is_odd_quarter = (phase >> 62 & 1) != 0;
   const bool is_upper = part >> 63 != 0;
@@ -106,7 +109,7 @@ constexpr std::int64_t tangent_ulps(std::uint64_t phase, std::uint64_t fine,
     std::uint64_t steep = numerator;
     if (i == 0) {
       steep = rest >> 1;
-      place = 6;
+      place = narrow;
     }
     numerator = divisor;
     for (divisor = steep; divisor < numerator; divisor <<= 1) {
@@ -119,11 +122,10 @@ constexpr std::int64_t tangent_ulps(std::uint64_t phase, std::uint64_t fine,
   }
   const std::uint64_t high = take_quotient(numerator, divisor, 30);
   const auto value = static_cast<std::int64_t>(high << 32 | take_quotient(numerator, divisor, 32));
-  // The errors, and a unit of the quotient. With T = tan and both errors below e, that of a steep
-  // quotient is below e (1 + T) T / 2^place / 0.96, and T is at most 2^place. If i = 0, it is below
-  // 5/64 T^2 / 2^place.
+  // With T = tan and errors below e, the quotient is off by less than e (1 + T) T / 2^place / 0.96,
+  // and by a unit that is rounded down. T is at most 2^place.
   const std::int64_t error =
-      i == 0 && place > 0 ? 2 + (std::int64_t{5} << place >> 6) : std::int64_t{18} << place;
+      place > narrow ? 2 + (std::int64_t{5} << place >> 6) : std::int64_t{18} << place;
   return nearest_or_undecided(is_odd_quarter ? -value - error : value - error,
                               is_odd_quarter ? error - value : value + error,
                               62 - place - fraction_bits);

@@ -31,12 +31,18 @@
 
 namespace fixproof::detail {
 
+// In a namespace of its own, so that a call with it finds no function of `detail` by its operand.
+namespace of_result {
+
 /// The bits after the point of a function's result, as a type that also knows the operand's format.
 template <class To, class Number>
 struct result_bits {
   // NOLINTNEXTLINE(google-explicit-constructor): the functions take an int
   constexpr operator int() const noexcept { return To::fraction_bits; }
 };
+
+}  // namespace of_result
+using of_result::result_bits;
 
 /// Whether 64 bits decide every operand of the functions of one number: 16.16 and all formats of at
 /// most 16 bits with a fraction. `CompactWords.*` tries all operands.
