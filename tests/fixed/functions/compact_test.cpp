@@ -1,10 +1,9 @@
 /// Tests that the functions in compact words have the results of those in words, and that their
 /// parts have the errors that they allow.
-#include "tests/fixed/functions/compact_words.hpp"
-
 #include <map>
 #include <string>
 
+#include "tests/fixed/functions/compact_words.hpp"
 #include "tests/fixed/functions/hard_pairs.hpp"
 
 namespace compact_test {
@@ -45,8 +44,9 @@ class CompactWords : public testing::Test {
 TEST_F(CompactWords, ResultsAreThoseOfWords) { expect_same_results<q16_16, u16_16>(2500); }
 
 TEST_F(CompactWords, WhereDigitsDecideTheRest) {
-  expect_same_results<q24_8, q32_0, q8_24, q2_30, number<std::int32_t, 31>, number<std::uint32_t, 32>,
-                      number<std::int32_t, 5>, number<std::int32_t, 17>>(300);
+  expect_same_results<q24_8, q32_0, q8_24, q2_30, number<std::int32_t, 31>,
+                      number<std::uint32_t, 32>, number<std::int32_t, 5>, number<std::int32_t, 17>>(
+      300);
 }
 
 template <class Raw, int... Points>
@@ -93,8 +93,7 @@ TEST_F(CompactWords, HardPairsAreThoseOfTheFiles) {
 /// What a long arctangent is too high, in units of 2^-90.
 std::int64_t arctangent_error(std::uint64_t n, std::uint64_t d) {
   const compact::long_angle found = compact::long_arctangent(n, d);
-  const words::real exact =
-      words::precise_arctangent(words::ratio(words::real{n}, words::real{d}));
+  const words::real exact = words::precise_arctangent(words::ratio(words::real{n}, words::real{d}));
   const words::real sum = (words::real{found.high} << (words::real_bits - 58)) +
                           (words::real{found.low} << (words::real_bits - 90));
   return static_cast<std::int64_t>((sum - exact) >> (words::real_bits - 90));

@@ -51,13 +51,13 @@ inline std::int64_t units(std::int64_t x, int bits) {
 }
 
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the same call in two namespaces
-#define BOTH(name, takes, ...)                                                               \
-  InBoth<Bits> {                                                                             \
-    name, takes,                                                                             \
-        []([[maybe_unused]] std::int64_t x, [[maybe_unused]] std::int64_t y,                 \
-           [[maybe_unused]] int bits) -> std::int64_t { return words::__VA_ARGS__; },        \
-        []([[maybe_unused]] std::int64_t x, [[maybe_unused]] std::int64_t y,                 \
-           [[maybe_unused]] Bits bits) -> std::int64_t { return compact::__VA_ARGS__; }      \
+#define BOTH(name, takes, ...)                                                          \
+  InBoth<Bits> {                                                                        \
+    name, takes,                                                                        \
+        []([[maybe_unused]] std::int64_t x, [[maybe_unused]] std::int64_t y,            \
+           [[maybe_unused]] int bits) -> std::int64_t { return words::__VA_ARGS__; },   \
+        []([[maybe_unused]] std::int64_t x, [[maybe_unused]] std::int64_t y,            \
+           [[maybe_unused]] Bits bits) -> std::int64_t { return compact::__VA_ARGS__; } \
   }
 
 template <class Bits, rounding Ties>

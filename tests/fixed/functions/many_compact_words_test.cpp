@@ -24,8 +24,7 @@ bool takes_all_words(const std::string& name) {
 
 /// The first word from `first` to `last` whose results differ, or `none`.
 template <class Bits>
-std::int64_t first_difference(const InBoth<Bits>& function, std::int64_t first,
-                              std::int64_t last) {
+std::int64_t first_difference(const InBoth<Bits>& function, std::int64_t first, std::int64_t last) {
   const unsigned count = std::max(1U, std::thread::hardware_concurrency());
   std::atomic<std::int64_t> different = none;
   std::vector<std::thread> threads;
