@@ -18,9 +18,12 @@
 #include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
 
-#if defined(FIXED_SMALL)
+#if defined(FIXED_SMALL) || defined(FIXED_COMPACT)
 #include "fixed/detail/digit_angle.hpp"
-#else
+#endif
+#if defined(FIXED_COMPACT)
+#include "fixed/detail/compact_angle.hpp"
+#elif !defined(FIXED_SMALL)
 #include "fixed/detail/arcsine.hpp"
 #include "fixed/detail/arctangent.hpp"
 #endif
@@ -42,7 +45,7 @@ constexpr To angle_of(Number y, Number x, const char* function) noexcept(To::nev
                            real_operand_of(y), real_operand_of(x), To::fraction_bits),
                        function, y, x);
   } else {
-    return limited<To>(nearest_angle(y.raw(), x.raw(), To::fraction_bits), function, y, x);
+    return limited<To>(nearest_angle(y.raw(), x.raw(), result_bits<To, Number>()), function, y, x);
   }
 }
 
@@ -55,7 +58,7 @@ constexpr To angle_of_slope(Number x, const char* function) noexcept(To::never_t
         function, x);
   } else {
     constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
-    return limited<To>(nearest_angle(x.raw(), one, To::fraction_bits), function, x);
+    return limited<To>(nearest_angle(x.raw(), one, result_bits<To, Number>()), function, x);
   }
 }
 
@@ -74,8 +77,8 @@ constexpr To triangle_angle(Number x, const char* function) noexcept(To::never_t
     constexpr std::int64_t one = std::int64_t{1} << Number::fraction_bits;
     if (x.raw() > one || x.raw() < -one) return outside_domain<To>(0, function, x);
     return limited<To>(
-        nearest_triangle_angle<Side>(x.raw(), Number::fraction_bits, To::fraction_bits), function,
-        x);
+        nearest_triangle_angle<Side>(x.raw(), Number::fraction_bits, result_bits<To, Number>()),
+        function, x);
   }
 }
 

@@ -23,9 +23,12 @@
 #include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
 
-#if defined(FIXED_SMALL)
+#if defined(FIXED_SMALL) || defined(FIXED_COMPACT)
 #include "fixed/detail/digit_exponential.hpp"
-#else
+#endif
+#if defined(FIXED_COMPACT)
+#include "fixed/detail/compact_exponential.hpp"
+#elif !defined(FIXED_SMALL)
 #include "fixed/detail/exponential.hpp"
 #include "fixed/detail/hyperbolic.hpp"
 #endif
@@ -55,7 +58,7 @@ constexpr To exponential(Number x, int less, const char* function) noexcept(To::
                        function, x);
   } else {
     return limited<To>(
-        nearest_exponential<Base, rounding_of<To>>(exponent_units(x), To::fraction_bits) -
+        nearest_exponential<Base, rounding_of<To>>(exponent_units(x), result_bits<To, Number>()) -
             (std::int64_t{less} << To::fraction_bits),
         function, x);
   }
@@ -79,7 +82,7 @@ constexpr To logarithm(Number x, int more, const char* function) noexcept(To::ne
     const std::int64_t sum = x.raw() + (std::int64_t{more} << Number::fraction_bits);
     if (sum <= 0) return outside_domain<To>((limits::min)(), function, x);
     return limited<To>(nearest_logarithm<Base>(static_cast<std::uint64_t>(sum),
-                                               Number::fraction_bits, To::fraction_bits),
+                                               Number::fraction_bits, result_bits<To, Number>()),
                        function, x);
   }
 }
@@ -93,7 +96,7 @@ constexpr To hyperbolic(Number x, const char* function) noexcept(To::never_throw
   } else {
     const std::int64_t units = exponent_units(x);
     const std::int64_t ulps =
-        nearest_hyperbolic<Function>(units < 0 ? -units : units, To::fraction_bits);
+        nearest_hyperbolic<Function>(units < 0 ? -units : units, result_bits<To, Number>());
     return limited<To>(Function == hyperbola::sine && units < 0 ? -ulps : ulps, function, x);
   }
 }
@@ -108,7 +111,7 @@ constexpr To hyperbolic_tangent(Number x) noexcept(To::never_throws) {
   } else {
     const std::int64_t units = exponent_units(x);
     const std::int64_t ulps =
-        nearest_hyperbolic_tangent(units < 0 ? -units : units, To::fraction_bits);
+        nearest_hyperbolic_tangent(units < 0 ? -units : units, result_bits<To, Number>());
     return limited<To>(units < 0 ? -ulps : ulps, "tanh", x);
   }
 }

@@ -27,11 +27,11 @@
 /// conversions from and to float or double use floating-point registers.
 ///
 /// Translation units of one program may differ in optimisation, in floating-point flags and in
-/// FIXED_SMALL. The functions of real numbers then have different names. FIXED_SMALL and some flags
-/// also replace hardware doubles by integers in roots, divides and conversions from double. These
-/// keep their names, so the linker keeps one of two definitions; both give the same bits. The units
-/// must agree on exceptions, on FIXED_ON_ERROR, the program's function for errors, and on
-/// FIXED_NO_INT128, where two definitions would not agree.
+/// FIXED_SMALL and FIXED_COMPACT. The functions of real numbers then have different names. These
+/// two macros and some flags also replace hardware doubles by integers in roots, divides and
+/// conversions from double. These keep their names, so the linker keeps one of two definitions;
+/// both give the same bits. The units must agree on exceptions, on FIXED_ON_ERROR, the program's
+/// function for errors, and on FIXED_NO_INT128, where two definitions would not agree.
 #pragma once
 
 #include "fixed/angle.hpp"

@@ -24,9 +24,12 @@
 #include "fixed/detail/variant.hpp"
 #include "fixed/number.hpp"
 
-#if defined(FIXED_SMALL)
+#if defined(FIXED_SMALL) || defined(FIXED_COMPACT)
 #include "fixed/detail/digit_power.hpp"
-#else
+#endif
+#if defined(FIXED_COMPACT)
+#include "fixed/detail/compact_power.hpp"
+#elif !defined(FIXED_SMALL)
 #include "fixed/detail/power.hpp"
 #endif
 
@@ -120,8 +123,8 @@ constexpr auto cube_root(Number x) noexcept {
     return interval_cube_root<rounding_of<Number>>(real_operand_of(x), Number::fraction_bits);
   } else {
     const std::int64_t raw{x.raw()};
-    const std::int64_t root =
-        nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw), Number::fraction_bits);
+    const std::int64_t root = nearest_cube_root(static_cast<std::uint64_t>(raw < 0 ? -raw : raw),
+                                                result_bits<Number, Number>());
     return raw < 0 ? -root : root;
   }
 }
@@ -133,7 +136,7 @@ constexpr auto reciprocal_root(Number x) noexcept {
     return interval_reciprocal_root<rounding_of<Number>>(real_operand_of(x), Number::fraction_bits);
   } else {
     return nearest_reciprocal_root<rounding_of<Number>>(static_cast<std::uint64_t>(x.raw()),
-                                                        Number::fraction_bits);
+                                                        result_bits<Number, Number>());
   }
 }
 

@@ -21,9 +21,12 @@
 #include "fixed/number.hpp"
 #include "fixed/sine.hpp"
 
-#if defined(FIXED_SMALL)
+#if defined(FIXED_SMALL) || defined(FIXED_COMPACT)
 #include "fixed/detail/digit_phase.hpp"
-#else
+#endif
+#if defined(FIXED_COMPACT)
+#include "fixed/detail/compact_phase.hpp"
+#elif !defined(FIXED_SMALL)
 #include "fixed/detail/phase.hpp"
 #endif
 
@@ -40,7 +43,7 @@ constexpr To sine_of(Number x, unsigned ahead, const char* function) noexcept(To
         function, x);
   } else {
     return limited<To>(nearest_sine_of<Unit, rounding_of<To>>(x.raw(), ahead, Number::fraction_bits,
-                                                              To::fraction_bits),
+                                                              result_bits<To, Number>()),
                        function, x);
   }
 }
@@ -60,8 +63,9 @@ constexpr To tangent_of(Number x, const char* function) noexcept(To::never_throw
     if (is_pole<Unit>(x.raw(), Number::fraction_bits)) {
       return outside_domain<To>((limits::max)(), function, x);
     }
-    return limited<To>(nearest_tangent<Unit>(x.raw(), Number::fraction_bits, To::fraction_bits),
-                       function, x);
+    return limited<To>(
+        nearest_tangent<Unit>(x.raw(), Number::fraction_bits, result_bits<To, Number>()), function,
+        x);
   }
 }
 

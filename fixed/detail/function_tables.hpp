@@ -264,6 +264,26 @@ inline constexpr std::array<std::uint64_t, 4> arctangent_coefficients{
 /// Pi in units of 2^-58, to nearest.
 inline constexpr std::uint64_t pi_58 = 0xc90fdaa22168c23;
 
+/// What pi_58 lacks in units of 2^-90, to nearest.
+inline constexpr std::int32_t pi_rest = 0x4c4c6629;
+
+/// What the arctangents of i/64 lack in units of 2^-90, to nearest.
+inline constexpr std::array<std::int32_t, 64> arctangent_rests{
+    0x0,         0x5bbe78c5,  -0x57b10c51, -0xc377c7c,  -0x724d361b, -0x53b31d7a, 0x3049ab3f,
+    -0x8470d66,  0x19644bcc,  0x25bd3759,  -0x3cb89e63, -0x54ab2c0,  0x347b0b50,  -0x184ff0c2,
+    0x22f621a6,  -0x736e5d59, 0x156dc79f,  -0x746e31bd, 0x61948e91,  -0x1df374db, -0x2c74a897,
+    -0x75790f15, -0x4acc9011, 0x636a3aa4,  -0x18eab9be, -0x58dde8f5, -0x24bd1723, 0x79b2623f,
+    0x6c84f92c,  -0x479e138d, -0x30739c25, 0x74c16efa,  -0x75203774, 0x394f7070,  -0x47325b87,
+    0x669b5b1b,  -0x56d257d9, -0x68b05ec5, -0x2bdaee1c, 0x310e7600,  0x6d720d78,  -0x77bc6c19,
+    -0x279cec32, 0x2eaf4ff8,  -0x7ef7641c, -0x182198ec, -0x4c1d2db6, 0x224bfa70,  -0x6f995e03,
+    0x519edf5a,  0x2245aa13,  -0x79727631, 0x51c979,    -0x56f0a6a2, 0x45640506,  -0x401c30c4,
+    -0x30d3496b, -0x426acf4d, 0x35044c0,   -0x4fbef0e8, 0x227758b,   -0x29323007, 0x5232d0f4,
+    0x4f9f553f};
+
+/// Coefficient n is 2 / ((2n + 3) 4096^(n - 1)) in units of 2^-64, to nearest, for n from 1.
+inline constexpr std::array<std::uint64_t, 5> long_arctangent_coefficients{
+    0x6666666666666666, 0x4924924924925, 0x38e38e38e4, 0x2e8ba2f, 0x2762};
+
 /// Pi in units of 2^-184, to nearest.
 inline constexpr real_words real_pi{0x44a4093822299f32, 0xd313198a2e037073, 0x3243f6a8885a308};
 

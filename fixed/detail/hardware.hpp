@@ -44,10 +44,11 @@ namespace fixproof::detail {
 ///
 /// Define FIXED_NO_HARDWARE_DOUBLE for a processor without double that the list above lacks, and
 /// for flags that loosen floating point without defining a macro (clang's -fassociative-math).
-/// -ffreestanding and FIXED_SMALL imply it.
+/// -ffreestanding, FIXED_SMALL and FIXED_COMPACT imply it.
 #if !__STDC_HOSTED__ || defined(FIXED_NO_HARDWARE_DOUBLE) || defined(FIXED_SOFT_DOUBLE) ||     \
     defined(__FAST_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__ASSOCIATIVE_MATH__) || \
-    defined(_M_FP_FAST) || defined(FIXED_SMALL) || FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD > 1
+    defined(_M_FP_FAST) || defined(FIXED_SMALL) || defined(FIXED_COMPACT) ||                   \
+    FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD > 1
 constexpr bool hardware_double = false;
 #else
 constexpr bool hardware_double =
