@@ -6,13 +6,15 @@
 #include <cfloat>
 #include <limits>
 
+#include "fixed/detail/gpu.hpp"
+
 namespace fixproof::detail {
 
 // Defined where the compiler calls a function for each operation on doubles, as far as its macros
 // tell: a processor without a floating-point unit, or with one for float alone. Bit 3 of __ARM_FP
 // is that of double. GCC defines _SOFT_FLOAT on x86, PowerPC and SPARC. Code for a GPU counts as
 // such, too: its compilers contract a product and a sum, which changes bits.
-#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+#if defined(FIXED_GPU)
 #define FIXED_SOFT_DOUBLE
 #elif defined(__arm__)
 #if !defined(__ARM_FP) || !(__ARM_FP & 8)
