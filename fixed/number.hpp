@@ -474,9 +474,7 @@ class number {
     using wide = detail::units_t<Raw, FractionBits>;
     const auto integer = detail::units<Raw, FractionBits, overflow::saturate>(b);
     const wide raw{a.raw_};
-    return raw < integer   ? std::strong_ordering::less
-           : integer < raw ? std::strong_ordering::greater
-                           : std::strong_ordering::equal;
+    return detail::ordering(raw < integer, integer < raw);
   }
 
   /// Adds 1. The policy handles overflow.

@@ -8,13 +8,13 @@
 /// separately.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
 #include "fixed/detail/assert.hpp"
 #include "fixed/detail/bit_cast.hpp"
+#include "fixed/detail/bits.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/function_tables.hpp"
@@ -203,7 +203,7 @@ constexpr scaled_word scaled(std::uint64_t raw, int fraction_bits) noexcept {
       return {(bits >> 20 & (one - 1)) | one, static_cast<int>(bits >> 52) - 1023 - fraction_bits};
     }
   }
-  const int unused = std::countl_zero(raw) - 31;
+  const int unused = leading_zeros(raw) - 31;
   return {raw << unused, 32 - unused - fraction_bits};
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cfloat>
+#include <concepts>
 #include <limits>
 
 #include "fixed/detail/gpu.hpp"
@@ -77,10 +78,15 @@ constexpr bool divides_in_double = hardware_double && sizeof(void*) < sizeof(dou
 constexpr bool divides_in_words = !hardware_double && sizeof(void*) < sizeof(double);
 
 // The compiler's, because <cmath> takes a seventh of the time to compile fixed.hpp. Not called if
-// hardware_double is false.
-inline double copysign(double magnitude, double sign) noexcept {
+// hardware_double is false. constexpr, because clang++ lets code for a GPU name only such
+// functions, even where it does not call them. Templates, because no root is constant.
+template <std::same_as<double> Double>
+constexpr Double copysign(Double magnitude, Double sign) noexcept {
   return __builtin_copysign(magnitude, sign);
 }
-inline double sqrt(double x) noexcept { return __builtin_sqrt(x); }
+template <std::same_as<double> Double>
+constexpr Double sqrt(Double x) noexcept {
+  return __builtin_sqrt(x);
+}
 
 }  // namespace fixproof::detail

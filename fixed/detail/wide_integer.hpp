@@ -26,6 +26,12 @@ using int128 = wide_integer<2>;
 constexpr int larger(int a, int b) noexcept { return a < b ? b : a; }
 constexpr int largest(int a, int b, int c) noexcept { return larger(a, larger(b, c)); }
 
+/// The order of two values, of which the first may be less or greater. Not an object of
+/// std::strong_ordering, which nvcc does not put into the memory of a GPU.
+constexpr std::strong_ordering ordering(bool less, bool greater) noexcept {
+  return int{greater} <=> int{less};
+}
+
 /// The product of two words.
 struct two_words {
   std::uint64_t low;
@@ -191,7 +197,12 @@ class wide_integer {
     return result;
   }
 
-  friend constexpr bool operator==(const wide_integer&, const wide_integer&) noexcept = default;
+  // Not the array's, because clang++ calls memcmp for it, which a GPU does not have.
+  friend constexpr bool operator==(const wide_integer& a, const wide_integer& b) noexcept {
+    std::uint64_t differing = 0;
+    for (std::size_t i = 0; i < Words; ++i) differing |= a.words_[i] ^ b.words_[i];
+    return differing == 0;
+  }
 
   friend constexpr std::strong_ordering operator<=>(const wide_integer& a,
                                                     const wide_integer& b) noexcept {
@@ -199,7 +210,7 @@ class wide_integer {
     for (std::size_t i = Words; i-- > 0;) {
       if (a.words_[i] != b.words_[i]) return a.words_[i] <=> b.words_[i];
     }
-    return std::strong_ordering::equal;
+    return ordering(false, false);
   }
 
   /// The quotient and the remainder of magnitudes. @pre x >= 0, divisor > 0, one bit to spare
