@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "fixed/detail/standard.hpp"
+#include "fixed/detail/gpu.hpp"
 
 namespace fixproof::detail {
 
@@ -26,10 +26,17 @@ using int128 = wide_integer<2>;
 constexpr int larger(int a, int b) noexcept { return a < b ? b : a; }
 constexpr int largest(int a, int b, int c) noexcept { return larger(a, larger(b, c)); }
 
-/// The order of two values, of which the first may be less or greater. Not an object of
-/// std::strong_ordering, which nvcc does not put into the memory of a GPU.
+/// The order of two values, of which the first may be less or greater. nvcc does not put the
+/// objects of std::strong_ordering into the memory of a GPU; without them, g++ takes half as long
+/// again.
 constexpr std::strong_ordering ordering(bool less, bool greater) noexcept {
+#if defined(FIXED_GPU) && defined(__NVCC__)
   return int{greater} <=> int{less};
+#else
+  return less      ? std::strong_ordering::less
+         : greater ? std::strong_ordering::greater
+                   : std::strong_ordering::equal;
+#endif
 }
 
 /// The product of two words.

@@ -65,9 +65,7 @@ KERNEL(sine_of_tenths, q16_16, fixproof::sin_of_tenths<q16_16>(x.raw() % 3600))
 KERNEL(angle, q16_16, atan(x))
 KERNEL(angle_of_vector, q16_16, atan2(x, y))
 KERNEL(angle_of_sine, q2_30, asin(x))
-KERNEL(angle_of_cosine, q2_30, acos(x))
 KERNEL(constants, q16_16, x * fixproof::pi_v<q16_16> + std::numbers::e_v<q16_16>)
-KERNEL(exponential_of_64_bits, exact_64, exp(x >> 28))
 KERNEL(sine_of_64_bits, exact_64, sin(x))
 
 #undef KERNEL
