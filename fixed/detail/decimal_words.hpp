@@ -43,7 +43,7 @@ constexpr std::uint64_t power_of_ten(std::int64_t i) noexcept {
 /// character at least 10.
 constexpr std::uint64_t eight_digits(const char* at) noexcept {
   std::uint64_t chars = 0;
-#if defined(__GNUC__)  // <cstring> is not there without an operating system
+#if defined(__GNUC__) || defined(__clang__)  // <cstring> is not there without an operating system
   if (std::endian::native == std::endian::little && !std::is_constant_evaluated()) {
     __builtin_memcpy(&chars, at, 8);
   } else

@@ -9,6 +9,10 @@
 
 #include "fixed/detail/gpu.hpp"
 
+#if defined(_MSC_VER) && !defined(__clang__)
+#include <cmath>
+#endif
+
 namespace fixproof::detail {
 
 // Defined where the compiler calls a function for each operation on doubles, as far as its macros
@@ -82,11 +86,19 @@ constexpr bool divides_in_words = !hardware_double && sizeof(void*) < sizeof(dou
 // functions, even where it does not call them. Templates, because no root is constant.
 template <std::same_as<double> Double>
 constexpr Double copysign(Double magnitude, Double sign) noexcept {
+#if defined(_MSC_VER) && !defined(__clang__)
+  return std::copysign(magnitude, sign);
+#else
   return __builtin_copysign(magnitude, sign);
+#endif
 }
 template <std::same_as<double> Double>
 constexpr Double sqrt(Double x) noexcept {
+#if defined(_MSC_VER) && !defined(__clang__)
+  return std::sqrt(x);
+#else
   return __builtin_sqrt(x);
+#endif
 }
 
 }  // namespace fixproof::detail

@@ -15,10 +15,10 @@ template <class = void>
   // nvcc drops __builtin_trap(), and what leads to it.
   asm("trap;");
   __builtin_unreachable();
-#elif defined(__GNUC__)
-  __builtin_trap();
-#else
+#elif defined(_MSC_VER) && !defined(__clang__)
   __fastfail(7);  // FAST_FAIL_FATAL_APP_EXIT
+#else
+  __builtin_trap();
 #endif
 }
 
