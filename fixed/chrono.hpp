@@ -40,9 +40,7 @@ constexpr std::strong_ordering order_of(Numbers x, Integers y) noexcept {
   const wide right =
       wide{y.count()} * wide{std::ratio_divide<typename Integers::period, ticks>::num}
       << Numbers::rep::fraction_bits;
-  return left < right   ? std::strong_ordering::less
-         : right < left ? std::strong_ordering::greater
-                        : std::strong_ordering::equal;
+  return ordering(left < right, right < left);
 }
 
 }  // namespace detail

@@ -14,6 +14,7 @@
 #include <limits>
 #include <numbers>
 
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/integer.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/number.hpp"
@@ -104,8 +105,7 @@ inline constexpr constant egamma{0, 0x93c467e37db0c7a4, 0xd1be3f810152cb56};
 ///     constexpr int width = 100;
 ///     static_assert(constant_v<q8_8, width> == 100 && constant_v<q8_8, -128> == -128);
 template <any_number Number, auto Value>
-requires detail::integer<decltype(Value)>
-inline constexpr Number constant_v = [] {
+requires detail::integer<decltype(Value)> FIXED_CONSTANT Number constant_v = [] {
   static_assert(detail::represents<Number>(Value),
                 "this integer is outside the range of its type; use a format with more bits before "
                 "the point");
@@ -114,63 +114,63 @@ inline constexpr Number constant_v = [] {
 
 /// The ratio of a circle's circumference to its diameter: 3.14159265358979323846...
 template <any_number Number>
-inline constexpr Number pi_v = detail::nearest<Number, detail::constants::pi>();
+FIXED_CONSTANT Number pi_v = detail::nearest<Number, detail::constants::pi>();
 
 /// 2 pi, a whole turn in radians: 6.28318530717958647692...
 template <any_number Number>
-inline constexpr Number tau_v = detail::nearest<Number, detail::constants::tau>();
+FIXED_CONSTANT Number tau_v = detail::nearest<Number, detail::constants::tau>();
 
 /// pi / 2, a right angle in radians: 1.57079632679489661923... pi_v<Number> / 2 would round twice.
 template <any_number Number>
-inline constexpr Number half_pi_v = detail::nearest<Number, detail::constants::half_pi>();
+FIXED_CONSTANT Number half_pi_v = detail::nearest<Number, detail::constants::half_pi>();
 
 /// The base of the natural logarithm: 2.71828182845904523536...
 template <any_number Number>
-inline constexpr Number e_v = detail::nearest<Number, detail::constants::e>();
+FIXED_CONSTANT Number e_v = detail::nearest<Number, detail::constants::e>();
 
 /// The natural logarithm of 2: 0.69314718055994530941...
 template <any_number Number>
-inline constexpr Number ln2_v = detail::nearest<Number, detail::constants::ln2>();
+FIXED_CONSTANT Number ln2_v = detail::nearest<Number, detail::constants::ln2>();
 
 /// The natural logarithm of 10: 2.30258509299404568401...
 template <any_number Number>
-inline constexpr Number ln10_v = detail::nearest<Number, detail::constants::ln10>();
+FIXED_CONSTANT Number ln10_v = detail::nearest<Number, detail::constants::ln10>();
 
 /// The binary logarithm of e: 1.44269504088896340735...
 template <any_number Number>
-inline constexpr Number log2e_v = detail::nearest<Number, detail::constants::log2e>();
+FIXED_CONSTANT Number log2e_v = detail::nearest<Number, detail::constants::log2e>();
 
 /// The decimal logarithm of e: 0.43429448190325182765...
 template <any_number Number>
-inline constexpr Number log10e_v = detail::nearest<Number, detail::constants::log10e>();
+FIXED_CONSTANT Number log10e_v = detail::nearest<Number, detail::constants::log10e>();
 
 /// The square root of 2: 1.41421356237309504880...
 template <any_number Number>
-inline constexpr Number sqrt2_v = detail::nearest<Number, detail::constants::sqrt2>();
+FIXED_CONSTANT Number sqrt2_v = detail::nearest<Number, detail::constants::sqrt2>();
 
 /// The square root of 3: 1.73205080756887729352...
 template <any_number Number>
-inline constexpr Number sqrt3_v = detail::nearest<Number, detail::constants::sqrt3>();
+FIXED_CONSTANT Number sqrt3_v = detail::nearest<Number, detail::constants::sqrt3>();
 
 /// 1 / pi: 0.31830988618379067153...
 template <any_number Number>
-inline constexpr Number inv_pi_v = detail::nearest<Number, detail::constants::inv_pi>();
+FIXED_CONSTANT Number inv_pi_v = detail::nearest<Number, detail::constants::inv_pi>();
 
 /// 1 / sqrt(pi): 0.56418958354775628694...
 template <any_number Number>
-inline constexpr Number inv_sqrtpi_v = detail::nearest<Number, detail::constants::inv_sqrtpi>();
+FIXED_CONSTANT Number inv_sqrtpi_v = detail::nearest<Number, detail::constants::inv_sqrtpi>();
 
 /// 1 / sqrt(3): 0.57735026918962576450...
 template <any_number Number>
-inline constexpr Number inv_sqrt3_v = detail::nearest<Number, detail::constants::inv_sqrt3>();
+FIXED_CONSTANT Number inv_sqrt3_v = detail::nearest<Number, detail::constants::inv_sqrt3>();
 
 /// The golden ratio, (1 + sqrt(5)) / 2: 1.61803398874989484820...
 template <any_number Number>
-inline constexpr Number phi_v = detail::nearest<Number, detail::constants::phi>();
+FIXED_CONSTANT Number phi_v = detail::nearest<Number, detail::constants::phi>();
 
 /// The Euler-Mascheroni constant: 0.57721566490153286060...
 template <any_number Number>
-inline constexpr Number egamma_v = detail::nearest<Number, detail::constants::egamma>();
+FIXED_CONSTANT Number egamma_v = detail::nearest<Number, detail::constants::egamma>();
 
 }  // namespace fixproof
 
@@ -178,55 +178,55 @@ inline constexpr Number egamma_v = detail::nearest<Number, detail::constants::eg
 /// Equal to the constants of namespace fixproof.
 /// \{
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::pi_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::pi_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::e_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::e_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::ln2_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::ln2_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::ln10_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::ln10_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::log2e_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::log2e_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::log10e_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::log10e_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::sqrt2_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::sqrt2_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::sqrt3_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::sqrt3_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::inv_pi_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::inv_pi_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::inv_sqrtpi_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::inv_sqrtpi_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::inv_sqrt3_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::inv_sqrt3_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::phi_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::phi_v<fixproof::number<Raw, Point, Rules>>;
 template <class Raw, int Point, fixproof::policy Rules>
-inline constexpr fixproof::number<Raw, Point, Rules>
+FIXED_CONSTANT fixproof::number<Raw, Point, Rules>
     std::numbers::egamma_v<fixproof::number<Raw, Point, Rules>> =
         fixproof::egamma_v<fixproof::number<Raw, Point, Rules>>;
 /// \}

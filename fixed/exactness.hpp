@@ -29,9 +29,7 @@ constexpr std::strong_ordering order_of(const IntA& a, const IntB& b) noexcept {
   using wide = signed_t<larger(BitsA + up_a, BitsB + up_b)>;
   const wide x = static_cast<wide>(a) << up_a;
   const wide y = static_cast<wide>(b) << up_b;
-  return x < y   ? std::strong_ordering::less
-         : y < x ? std::strong_ordering::greater
-                 : std::strong_ordering::equal;
+  return ordering(x < y, y < x);
 }
 
 /// The product of two integers, exact.

@@ -132,7 +132,7 @@ template <class Raw, int Point, policy Rules>
       detail::raise<domain_error>("domain error", "sqrt", detail::operand<Raw, Point>{x.raw()});
     }
   }
-  const Raw positive = x.raw() < 0 ? Raw{0} : x.raw();
+  const Raw positive = x < number<Raw, Point, Rules>() ? Raw{0} : x.raw();
   // Only an upper bound of a root can be 1 in a format without a whole bit.
   constexpr bool is_in_range =
       detail::has_every_root<Raw, Point> && Rules.functions != rounding::ceiling;

@@ -334,12 +334,12 @@ class number {
   /// @cond
   // Without these, an unsigned or wider `places` is ambiguous under clang++, and g++ warns, because
   // a shift of built-in integers takes it as it is.
-  [[nodiscard]] friend constexpr number operator<<(number x, detail::integer auto places) noexcept(
-      never_throws) {
+  template <detail::integer Int>
+  [[nodiscard]] friend constexpr number operator<<(number x, Int places) noexcept(never_throws) {
     return x << detail::places_of(places);
   }
-  [[nodiscard]] friend constexpr number operator>>(number x, detail::integer auto places) noexcept(
-      never_throws) {
+  template <detail::integer Int>
+  [[nodiscard]] friend constexpr number operator>>(number x, Int places) noexcept(never_throws) {
     return x >> detail::places_of(places);
   }
   /// @endcond
@@ -474,9 +474,7 @@ class number {
     using wide = detail::units_t<Raw, FractionBits>;
     const auto integer = detail::units<Raw, FractionBits, overflow::saturate>(b);
     const wide raw{a.raw_};
-    return raw < integer   ? std::strong_ordering::less
-           : integer < raw ? std::strong_ordering::greater
-                           : std::strong_ordering::equal;
+    return detail::ordering(raw < integer, integer < raw);
   }
 
   /// Adds 1. The policy handles overflow.

@@ -14,6 +14,7 @@
 #include "fixed/detail/result.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/storage.hpp"
+#include "fixed/detail/trap.hpp"
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
 
@@ -168,7 +169,7 @@ class accumulator {
     if constexpr (is_checked) {
       constexpr int below = detail::bits_of<wide> - 32;
       const auto upper = static_cast<std::uint32_t>(sum_ >> below);
-      if ((upper ^ upper << 1) >> 31 != 0) __builtin_trap();
+      if ((upper ^ upper << 1) >> 31 != 0) detail::trap();
     }
     return *this;
   }

@@ -6,12 +6,12 @@
 /// not rational.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <type_traits>
 
 #include "fixed/detail/arctangent.hpp"
 #include "fixed/detail/assert.hpp"
+#include "fixed/detail/bits.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/hardware.hpp"
@@ -30,7 +30,7 @@ struct scaled_root {
   int doublings;
 };
 constexpr scaled_root root_of(std::uint64_t n) noexcept {
-  const int doublings = std::countl_zero(n) / 2;
+  const int doublings = leading_zeros(n) / 2;
   n <<= 2 * doublings;
   const std::int64_t root = nearest_sqrt_of_word(n);
   const auto square = static_cast<std::uint64_t>(root) * static_cast<std::uint64_t>(root);

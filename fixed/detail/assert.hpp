@@ -6,9 +6,11 @@
 /// program, and a constant expression does not compile.
 #pragma once
 
+#include "fixed/detail/trap.hpp"
+
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): the condition must not be evaluated in programs
 #if defined(FIXED_ASSERTIONS)
-#define FIXED_ASSERT(condition) static_cast<void>((condition) || (__builtin_trap(), false))
+#define FIXED_ASSERT(condition) static_cast<void>((condition) || (fixproof::detail::trap(), false))
 #else
 #define FIXED_ASSERT(condition) static_cast<void>(0)
 #endif

@@ -6,16 +6,17 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/series.hpp"
 #include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
 
 /// pi/2 in units of 2^-62, to nearest.
-inline constexpr std::uint64_t half_pi = 0x6487ed5110b4611a;
+FIXED_CONSTANT std::uint64_t half_pi = 0x6487ed5110b4611a;
 
 /// Coefficient n is 4^n / (2n)! in units of 2^-62, for n from 1. Each is less than 3 units too low.
-inline constexpr std::array<std::uint64_t, 12> cosine_coefficients = [] {
+FIXED_CONSTANT std::array<std::uint64_t, 12> cosine_coefficients = [] {
   std::array<std::uint64_t, 12> all{};
   std::uint64_t coefficient = std::uint64_t{1} << 62;
   for (std::size_t n = 1; n <= all.size(); ++n) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "fixed/detail/cosine.hpp"
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/storage.hpp"
 
 namespace fixproof::detail {
@@ -23,7 +24,7 @@ inline void cosine_is_not_precise_enough() {}
 /// Entry i is cos(i / StepsPerDegree degrees), from 0 to 90 degrees, rounded to nearest. Does not
 /// compile if the error of cosine() could change the rounding of an entry.
 template <int FractionBits, int StepsPerDegree>
-inline constexpr auto cosine_table = [] {
+FIXED_CONSTANT auto cosine_table = [] {
   constexpr std::size_t last = std::size_t{90} * StepsPerDegree;
   constexpr int dropped = 62 - FractionBits;
   constexpr std::int64_t half = std::int64_t{1} << (dropped - 1);
@@ -42,7 +43,7 @@ inline constexpr auto cosine_table = [] {
 /// Entry i is sin(i / StepsPerDegree degrees), from 0 to 270 degrees, rounded to nearest. So entry
 /// i and the one 90 degrees later are the sine and the cosine of half a turn.
 template <int FractionBits, int StepsPerDegree>
-inline constexpr auto sine_table = [] {
+FIXED_CONSTANT auto sine_table = [] {
   constexpr const auto& cosines = cosine_table<FractionBits, StepsPerDegree>;
   constexpr std::size_t quarter = cosines.size() - 1;
   std::array<std::int32_t, 3 * quarter + 1> table{};

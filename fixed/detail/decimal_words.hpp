@@ -9,6 +9,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/inlining.hpp"
 #include "fixed/detail/overflow.hpp"
 #include "fixed/detail/rounding.hpp"
@@ -27,7 +28,7 @@ constexpr bool begins_with_digit(const char* at, const char* last) noexcept {
 }
 
 /// 10^0 to 10^19, all that fit a word.
-inline constexpr auto powers_of_ten = [] {
+FIXED_CONSTANT auto powers_of_ten = [] {
   std::array<std::uint64_t, 20> powers{1};
   for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
   return powers;
@@ -42,7 +43,7 @@ constexpr std::uint64_t power_of_ten(std::int64_t i) noexcept {
 /// character at least 10.
 constexpr std::uint64_t eight_digits(const char* at) noexcept {
   std::uint64_t chars = 0;
-#if defined(__GNUC__)  // <cstring> is not there without an operating system
+#if defined(__GNUC__) || defined(__clang__)  // <cstring> is not there without an operating system
   if (std::endian::native == std::endian::little && !std::is_constant_evaluated()) {
     __builtin_memcpy(&chars, at, 8);
   } else

@@ -13,6 +13,7 @@
 #include "fixed/detail/assert.hpp"
 #include "fixed/detail/digits.hpp"
 #include "fixed/detail/function_tables.hpp"
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/rounding.hpp"
 
@@ -26,19 +27,19 @@ constexpr real scaled_integer(std::int64_t integer, int places, int lowest = 0) 
   return x;
 }
 
-inline constexpr real real_one = scaled_integer(1, real_bits);
-inline constexpr real log2_e(real_log2_e);
-inline constexpr real log_2(real_log_2);
-inline constexpr real log10_2(real_log10_2);
-inline constexpr real pi(real_pi);
-inline constexpr real two_over_pi(real_2_over_pi);
+FIXED_CONSTANT real real_one = scaled_integer(1, real_bits);
+FIXED_CONSTANT real log2_e(real_log2_e);
+FIXED_CONSTANT real log_2(real_log_2);
+FIXED_CONSTANT real log10_2(real_log10_2);
+FIXED_CONSTANT real pi(real_pi);
+FIXED_CONSTANT real two_over_pi(real_2_over_pi);
 
 constexpr real half_of(const real& x) noexcept {
   real half = x;
   half.shift(-1);
   return half;
 }
-inline constexpr real half_pi = half_of(pi);
+FIXED_CONSTANT real half_pi = half_of(pi);
 
 /// 1 in the units of x.
 constexpr real one_as(const real& x) noexcept {
@@ -48,7 +49,7 @@ constexpr real one_as(const real& x) noexcept {
 }
 
 /// Says that a short number is too near to a tie.
-inline constexpr std::int64_t undecided = std::numeric_limits<std::int64_t>::min();
+FIXED_CONSTANT std::int64_t undecided = std::numeric_limits<std::int64_t>::min();
 
 /// The integer nearest to x * 2^fraction_bits, like nearest_units() of real.hpp, but at most 2^35,
 /// which is beyond every format; `undecided` if x is short and too near to a tie. Overwrites x.

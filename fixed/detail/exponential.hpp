@@ -8,16 +8,17 @@
 /// separately.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
 #include "fixed/detail/assert.hpp"
 #include "fixed/detail/bit_cast.hpp"
+#include "fixed/detail/bits.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/function_tables.hpp"
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/hardware.hpp"
 #include "fixed/detail/nearest.hpp"
 #include "fixed/detail/precise_exponential.hpp"
@@ -146,7 +147,7 @@ struct logarithm_scale {
 };
 
 template <logarithm_base Base>
-inline constexpr logarithm_scale scale_of = [] {
+FIXED_CONSTANT logarithm_scale scale_of = [] {
   // The fraction of base two is 2^64, which becomes 0; nothing takes it.
   const auto scale = [](const real& precise) -> logarithm_scale {
     return {static_cast<std::int64_t>(((precise >> (real_bits - 58)) + real{1}) >> 1),
@@ -174,7 +175,7 @@ constexpr std::uint64_t binary_logarithm(std::uint64_t m) noexcept {
 /// The error of a binary_logarithm() with at least three terms in units of 2^-64: if terms are
 /// missing, it is below 2^-(6 Terms + 7).
 template <std::size_t Terms>
-inline constexpr std::int64_t logarithm_error =
+FIXED_CONSTANT std::int64_t logarithm_error =
     Terms == logarithm_terms ? 5 : std::int64_t{1} << (57 - 6 * Terms);
 
 /// A number from 1 to 2 times a power of two: m / 2^32 * 2^exponent.
@@ -202,7 +203,7 @@ constexpr scaled_word scaled(std::uint64_t raw, int fraction_bits) noexcept {
       return {(bits >> 20 & (one - 1)) | one, static_cast<int>(bits >> 52) - 1023 - fraction_bits};
     }
   }
-  const int unused = std::countl_zero(raw) - 31;
+  const int unused = leading_zeros(raw) - 31;
   return {raw << unused, 32 - unused - fraction_bits};
 }
 

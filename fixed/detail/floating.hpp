@@ -3,13 +3,13 @@
 /// mode and flushed denormals have no effect.
 #pragma once
 
-#include <bit>
 #include <concepts>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
 #include "fixed/detail/bit_cast.hpp"
+#include "fixed/detail/bits.hpp"
 #include "fixed/detail/rounding.hpp"
 
 namespace fixproof::detail {
@@ -76,7 +76,7 @@ constexpr Float to_float(Raw raw) noexcept {
   constexpr int digits = std::numeric_limits<Float>::digits;
   const bool negative = raw < 0;
   const word magnitude = negative ? word{0} - static_cast<word>(raw) : static_cast<word>(raw);
-  const auto width = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
+  const auto width = width_of(static_cast<std::uint64_t>(magnitude));
   const int dropped = width > digits ? width - digits : 0;
   word kept = magnitude >> dropped;
   if (dropped > 0) {

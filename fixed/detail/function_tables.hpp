@@ -5,13 +5,15 @@
 #include <array>
 #include <cstdint>
 
+#include "fixed/detail/gpu.hpp"
+
 namespace fixproof::detail {
 
 /// A constant of 192 bits, the lowest word first.
 using real_words = std::array<std::uint64_t, 3>;
 
 /// 2^(i/32) in units of 2^-63, rounded down.
-inline constexpr std::array<std::uint64_t, 32> powers_of_two{
+FIXED_CONSTANT std::array<std::uint64_t, 32> powers_of_two{
     0x8000000000000000, 0x82cd8698ac2ba1d7, 0x85aac367cc487b14, 0x88980e8092da8527,
     0x8b95c1e3ea8bd6e6, 0x8ea4398b45cd53c0, 0x91c3d373ab11c336, 0x94f4efa8fef70961,
     0x9837f0518db8a96f, 0x9b8d39b9d54e5538, 0x9ef5326091a111ad, 0xa27043030c496818,
@@ -22,12 +24,12 @@ inline constexpr std::array<std::uint64_t, 32> powers_of_two{
     0xeac0c6e7dd24392e, 0xefe4b99bdcdaf5cb, 0xf5257d152486cc2c, 0xfa83b2db722a033a};
 
 /// Coefficient n is (log(2)/32)^n / n! in units of 2^-64, rounded down, for n from 1.
-inline constexpr std::array<std::uint64_t, 8> power_coefficients{
+FIXED_CONSTANT std::array<std::uint64_t, 8> power_coefficients{
     0x58b90bfbe8e7bcd, 0xf5fdeffc162c7, 0x1c6b08d704a0, 0x276556df74,
     0x2bb0ffcf,        0x286122,        0x1ffc,         0x16};
 
 /// 1 / (1 + i/64) in units of 2^-32, rounded up.
-inline constexpr std::array<std::uint64_t, 64> reciprocals{
+FIXED_CONSTANT std::array<std::uint64_t, 64> reciprocals{
     0x100000000, 0xfc0fc0fd, 0xf83e0f84, 0xf4898d60, 0xf0f0f0f1, 0xed7303b6, 0xea0ea0eb,
     0xe6c2b449,  0xe38e38e4, 0xe070381d, 0xdd67c8a7, 0xda740da8, 0xd79435e6, 0xd4c77b04,
     0xd20d20d3,  0xcf6474a9, 0xcccccccd, 0xca4587e7, 0xc7ce0c7d, 0xc565c87c, 0xc30c30c4,
@@ -40,78 +42,78 @@ inline constexpr std::array<std::uint64_t, 64> reciprocals{
     0x81020409};
 
 /// -log2 of the reciprocals in units of 2^-64, to nearest.
-inline constexpr std::array<std::uint64_t, 64> logarithms{0x0,
-                                                          0x5b9e5a010b0099c,
-                                                          0xb5d69ba995434ce,
-                                                          0x10eb389ee9f55f8b,
-                                                          0x1663f6fab1fdcf18,
-                                                          0x1bc842405ce14082,
-                                                          0x2118b1183814ad28,
-                                                          0x2655d3c385cd0fc6,
-                                                          0x2b8034733f02d416,
-                                                          0x3098579ecfd8566b,
-                                                          0x359ebc59d5e4c676,
-                                                          0x3a93dc972188f80a,
-                                                          0x3f782d7065510f2b,
-                                                          0x444c1f6a20193709,
-                                                          0x49101eaa8d133d3a,
-                                                          0x4dc49339b2283b4c,
-                                                          0x5269e12ed8190e65,
-                                                          0x570068e76a9fc3f9,
-                                                          0x5b8887363a7e46e1,
-                                                          0x6002958b2c5cb0a8,
-                                                          0x646eea22aeb28eed,
-                                                          0x68cdd82984518ba3,
-                                                          0x6d1fafdcb3dff3c6,
-                                                          0x7164beb43202f500,
-                                                          0x759d4f809d7dad2f,
-                                                          0x79c9aa8654640ed0,
-                                                          0x7dea15a13bd1bc3b,
-                                                          0x81fed45ac6bd28c6,
-                                                          0x86082805579603d7,
-                                                          0x8a064fd48a6fc26b,
-                                                          0x8df988f3d33648dd,
-                                                          0x91e20e9f2c1a2804,
-                                                          0x95c01a39432c4c76,
-                                                          0x9993e353a9111393,
-                                                          0x9d5d9fd3d4f69644,
-                                                          0xa11d83f3d6bb2f6c,
-                                                          0xa4d3c25d25b2706a,
-                                                          0xa8808c36325e5cda,
-                                                          0xac241133e99f77dc,
-                                                          0xafbe7f9ef4795316,
-                                                          0xb3500471274705ac,
-                                                          0xb6d8cb5169f10413,
-                                                          0xba58feb0e7d0e080,
-                                                          0xbdd0c7c81422bee6,
-                                                          0xc1404eab9b5a569a,
-                                                          0xc4a7ba55d98dc7e6,
-                                                          0xc80730add617b678,
-                                                          0xcb5ed692fc3679af,
-                                                          0xceaecfe8b2dc074d,
-                                                          0xd1f73f9a0d0d128d,
-                                                          0xd53847a985dd708b,
-                                                          0xd8720933828f7ac6,
-                                                          0xdba4a47a362c6d61,
-                                                          0xded038e3a7da4cc1,
-                                                          0xe1f4e516262ddfa8,
-                                                          0xe512c6e46e4e8b6f,
-                                                          0xe829fb67ed1acc11,
-                                                          0xeb3a9eff6d51c678,
-                                                          0xee44cd59ba6b8cc4,
-                                                          0xf148a16e5d2096e8,
-                                                          0xf446359875ea7edd,
-                                                          0xf73da38c5a209c64,
-                                                          0xfa2f045bb829a8e7,
-                                                          0xfd1a70890f588f15};
+FIXED_CONSTANT std::array<std::uint64_t, 64> logarithms{0x0,
+                                                        0x5b9e5a010b0099c,
+                                                        0xb5d69ba995434ce,
+                                                        0x10eb389ee9f55f8b,
+                                                        0x1663f6fab1fdcf18,
+                                                        0x1bc842405ce14082,
+                                                        0x2118b1183814ad28,
+                                                        0x2655d3c385cd0fc6,
+                                                        0x2b8034733f02d416,
+                                                        0x3098579ecfd8566b,
+                                                        0x359ebc59d5e4c676,
+                                                        0x3a93dc972188f80a,
+                                                        0x3f782d7065510f2b,
+                                                        0x444c1f6a20193709,
+                                                        0x49101eaa8d133d3a,
+                                                        0x4dc49339b2283b4c,
+                                                        0x5269e12ed8190e65,
+                                                        0x570068e76a9fc3f9,
+                                                        0x5b8887363a7e46e1,
+                                                        0x6002958b2c5cb0a8,
+                                                        0x646eea22aeb28eed,
+                                                        0x68cdd82984518ba3,
+                                                        0x6d1fafdcb3dff3c6,
+                                                        0x7164beb43202f500,
+                                                        0x759d4f809d7dad2f,
+                                                        0x79c9aa8654640ed0,
+                                                        0x7dea15a13bd1bc3b,
+                                                        0x81fed45ac6bd28c6,
+                                                        0x86082805579603d7,
+                                                        0x8a064fd48a6fc26b,
+                                                        0x8df988f3d33648dd,
+                                                        0x91e20e9f2c1a2804,
+                                                        0x95c01a39432c4c76,
+                                                        0x9993e353a9111393,
+                                                        0x9d5d9fd3d4f69644,
+                                                        0xa11d83f3d6bb2f6c,
+                                                        0xa4d3c25d25b2706a,
+                                                        0xa8808c36325e5cda,
+                                                        0xac241133e99f77dc,
+                                                        0xafbe7f9ef4795316,
+                                                        0xb3500471274705ac,
+                                                        0xb6d8cb5169f10413,
+                                                        0xba58feb0e7d0e080,
+                                                        0xbdd0c7c81422bee6,
+                                                        0xc1404eab9b5a569a,
+                                                        0xc4a7ba55d98dc7e6,
+                                                        0xc80730add617b678,
+                                                        0xcb5ed692fc3679af,
+                                                        0xceaecfe8b2dc074d,
+                                                        0xd1f73f9a0d0d128d,
+                                                        0xd53847a985dd708b,
+                                                        0xd8720933828f7ac6,
+                                                        0xdba4a47a362c6d61,
+                                                        0xded038e3a7da4cc1,
+                                                        0xe1f4e516262ddfa8,
+                                                        0xe512c6e46e4e8b6f,
+                                                        0xe829fb67ed1acc11,
+                                                        0xeb3a9eff6d51c678,
+                                                        0xee44cd59ba6b8cc4,
+                                                        0xf148a16e5d2096e8,
+                                                        0xf446359875ea7edd,
+                                                        0xf73da38c5a209c64,
+                                                        0xfa2f045bb829a8e7,
+                                                        0xfd1a70890f588f15};
 
 /// Coefficient n is log2(e) / (n 32^n) in units of 2^-64, to nearest, for n from 1.
-inline constexpr std::array<std::uint64_t, 10> logarithm_coefficients{
+FIXED_CONSTANT std::array<std::uint64_t, 10> logarithm_coefficients{
     0xb8aa3b295c17f0c, 0x2e2a8eca5705fc, 0xf6384ee1d020, 0x5c551d94ae1, 0x24eed8a1df,
     0xf6384ee2,        0x6985d8b,        0x2e2a8f,       0x1484b,       0x93c};
 
 /// The cube roots of 1 divided by the reciprocals in units of 2^-63, to nearest.
-inline constexpr std::array<std::uint64_t, 64> cube_roots{
+FIXED_CONSTANT std::array<std::uint64_t, 64> cube_roots{
     0x8000000000000000, 0x80a9c910c1841cd6, 0x8151d6977616d668, 0x81f833b8bbc83cc3,
     0x829ceb290672df0e, 0x8340073145218c0f, 0x83e191b557e444ad, 0x84819439637b0eea,
     0x852017e62664bc73, 0x85bd258dbb1566d0, 0x8658c5b0a5cb6d25, 0x86f3008100800822,
@@ -130,139 +132,139 @@ inline constexpr std::array<std::uint64_t, 64> cube_roots{
     0x9f927b12c25aa7fb, 0x9fffffffd1555555, 0xa06cefca12ef25d7, 0xa0d94c69d84f179d};
 
 /// The cube roots of 1, 2 and 4 in units of 2^-62, to nearest.
-inline constexpr std::array<std::uint64_t, 3> roots_of_powers{
-    0x4000000000000000, 0x50a28be635ca2b89, 0x6597fa94f5b8f20b};
+FIXED_CONSTANT std::array<std::uint64_t, 3> roots_of_powers{0x4000000000000000, 0x50a28be635ca2b89,
+                                                            0x6597fa94f5b8f20b};
 
 /// Coefficient n is that of r^n in (1 + r)^(1/3), without its sign and divided by 32^n, in units of
 /// 2^-64, to nearest, for n from 1.
-inline constexpr std::array<std::uint64_t, 4> cube_root_coefficients{
+FIXED_CONSTANT std::array<std::uint64_t, 4> cube_root_coefficients{
     0x2aaaaaaaaaaaaab, 0x71c71c71c71c7, 0x1f9add3c0ca4, 0xa88f469599};
 
 /// log2(e) in units of 2^-63, rounded down.
-inline constexpr std::uint64_t log2_e = 0xb8aa3b295c17f0bb;
+FIXED_CONSTANT std::uint64_t log2_e = 0xb8aa3b295c17f0bb;
 
 /// log2(e) in units of 2^-184, to nearest.
-inline constexpr real_words real_log2_e{0x11d6aef551bad2b5, 0x777d0ffda0d23a7d, 0x171547652b82fe1};
+FIXED_CONSTANT real_words real_log2_e{0x11d6aef551bad2b5, 0x777d0ffda0d23a7d, 0x171547652b82fe1};
 
 /// log(2) in units of 2^-184, to nearest.
-inline constexpr real_words real_log_2{0xaf40f343267298b6, 0xabc9e3b39803f2f6, 0xb17217f7d1cf79};
+FIXED_CONSTANT real_words real_log_2{0xaf40f343267298b6, 0xabc9e3b39803f2f6, 0xb17217f7d1cf79};
 
 /// log10(2) in units of 2^-184, to nearest.
-inline constexpr real_words real_log10_2{0xbc13569862a1e8fa, 0xcc47c4acd605be48, 0x4d104d427de7fb};
+FIXED_CONSTANT real_words real_log10_2{0xbc13569862a1e8fa, 0xcc47c4acd605be48, 0x4d104d427de7fb};
 
 /// The arctangent of i/64 in units of 2^-58, to nearest.
-inline constexpr std::array<std::uint64_t, 65> arctangents{0x0,
-                                                           0xfffaaadddb94d,
-                                                           0x1ffd55bba97625,
-                                                           0x2ff7030861b454,
-                                                           0x3feab76e59fbd4,
-                                                           0x4fd67c39f15676,
-                                                           0x5fb860980bc43a,
-                                                           0x6f8e7af9bc1f0e,
-                                                           0x7f56ea6ab0bdb7,
-                                                           0x8f0fd7d821b937,
-                                                           0x9eb77746331363,
-                                                           0xae4c08f1f6134f,
-                                                           0xbdcbda5e72d811,
-                                                           0xcd35474b643131,
-                                                           0xdc86ba94930510,
-                                                           0xebbeaef902b9b4,
-                                                           0xfadbafc96406eb,
-                                                           0x109dc597d863626,
-                                                           0x118bf5a30bf1782,
-                                                           0x1278372057ef45c,
-                                                           0x1362773707ebcbd,
-                                                           0x144aa436c2af09b,
-                                                           0x1530ad9951cd49e,
-                                                           0x1614840309cfe19,
-                                                           0x16f61941e4def09,
-                                                           0x17d5604b63b3f76,
-                                                           0x18b24d394a1b257,
-                                                           0x198cd5454d6b186,
-                                                           0x1a64eec3cc23fcb,
-                                                           0x1b3a911da65c6c7,
-                                                           0x1c0db4c94ec9ef9,
-                                                           0x1cde53432c13509,
-                                                           0x1dac670561bb4f7,
-                                                           0x1e77eb7f175a344,
-                                                           0x1f40dd0b541417d,
-                                                           0x200738e78348172,
-                                                           0x20cafd29b6619f9,
-                                                           0x218c28b6b687b42,
-                                                           0x224abb37f7a551f,
-                                                           0x2306b5117cf826e,
-                                                           0x23c01757bdfd67e,
-                                                           0x2476e3c5993cd44,
-                                                           0x252b1cb2611c61c,
-                                                           0x25dcc5080d9794e,
-                                                           0x268be0399c6f769,
-                                                           0x27387239a82e337,
-                                                           0x27e27f713d2de88,
-                                                           0x288a0cb6f2b6ab8,
-                                                           0x292f1f464d3dc25,
-                                                           0x29d1bcb76dd808a,
-                                                           0x2a71eaf7120c3d7,
-                                                           0x2b0fb03ee65f75b,
-                                                           0x2bab130e2d36302,
-                                                           0x2c441a22baf71be,
-                                                           0x2cdacc7247c10da,
-                                                           0x2d6f3124167b313,
-                                                           0x2e014f8af08c67a,
-                                                           0x2e912f1f751c1e1,
-                                                           0x2f1ed77aba62bca,
-                                                           0x2faa50513f4126b,
-                                                           0x3033a16e2b14999,
-                                                           0x30bad2aed9858a3,
-                                                           0x313febfeafe3ef5,
-                                                           0x31c2f5533980bb8,
-                                                           0x3243f6a8885a309};
+FIXED_CONSTANT std::array<std::uint64_t, 65> arctangents{0x0,
+                                                         0xfffaaadddb94d,
+                                                         0x1ffd55bba97625,
+                                                         0x2ff7030861b454,
+                                                         0x3feab76e59fbd4,
+                                                         0x4fd67c39f15676,
+                                                         0x5fb860980bc43a,
+                                                         0x6f8e7af9bc1f0e,
+                                                         0x7f56ea6ab0bdb7,
+                                                         0x8f0fd7d821b937,
+                                                         0x9eb77746331363,
+                                                         0xae4c08f1f6134f,
+                                                         0xbdcbda5e72d811,
+                                                         0xcd35474b643131,
+                                                         0xdc86ba94930510,
+                                                         0xebbeaef902b9b4,
+                                                         0xfadbafc96406eb,
+                                                         0x109dc597d863626,
+                                                         0x118bf5a30bf1782,
+                                                         0x1278372057ef45c,
+                                                         0x1362773707ebcbd,
+                                                         0x144aa436c2af09b,
+                                                         0x1530ad9951cd49e,
+                                                         0x1614840309cfe19,
+                                                         0x16f61941e4def09,
+                                                         0x17d5604b63b3f76,
+                                                         0x18b24d394a1b257,
+                                                         0x198cd5454d6b186,
+                                                         0x1a64eec3cc23fcb,
+                                                         0x1b3a911da65c6c7,
+                                                         0x1c0db4c94ec9ef9,
+                                                         0x1cde53432c13509,
+                                                         0x1dac670561bb4f7,
+                                                         0x1e77eb7f175a344,
+                                                         0x1f40dd0b541417d,
+                                                         0x200738e78348172,
+                                                         0x20cafd29b6619f9,
+                                                         0x218c28b6b687b42,
+                                                         0x224abb37f7a551f,
+                                                         0x2306b5117cf826e,
+                                                         0x23c01757bdfd67e,
+                                                         0x2476e3c5993cd44,
+                                                         0x252b1cb2611c61c,
+                                                         0x25dcc5080d9794e,
+                                                         0x268be0399c6f769,
+                                                         0x27387239a82e337,
+                                                         0x27e27f713d2de88,
+                                                         0x288a0cb6f2b6ab8,
+                                                         0x292f1f464d3dc25,
+                                                         0x29d1bcb76dd808a,
+                                                         0x2a71eaf7120c3d7,
+                                                         0x2b0fb03ee65f75b,
+                                                         0x2bab130e2d36302,
+                                                         0x2c441a22baf71be,
+                                                         0x2cdacc7247c10da,
+                                                         0x2d6f3124167b313,
+                                                         0x2e014f8af08c67a,
+                                                         0x2e912f1f751c1e1,
+                                                         0x2f1ed77aba62bca,
+                                                         0x2faa50513f4126b,
+                                                         0x3033a16e2b14999,
+                                                         0x30bad2aed9858a3,
+                                                         0x313febfeafe3ef5,
+                                                         0x31c2f5533980bb8,
+                                                         0x3243f6a8885a309};
 
 /// The tangent of i/64 of a quarter turn in units of 2^-62, to nearest, for i to 32.
-inline constexpr std::array<std::uint64_t, 33> tangents{0x0,
-                                                        0x192346247a91f00,
-                                                        0x324e4f147622c40,
-                                                        0x4b88e733fce0c58,
-                                                        0x64daee316cb6898,
-                                                        0x7e4c60ea36e7a37,
-                                                        0x97e5639d3032013,
-                                                        0xb1ae4c867069ae6,
-                                                        0xcbafaf02a98ac04,
-                                                        0xe5f2675a5a67929,
-                                                        0x1007fa758626ae2b,
-                                                        0x11b6103d3597e939,
-                                                        0x136a08355c63dbc5,
-                                                        0x15248ae1701b1770,
-                                                        0x16e649f7d786492f,
-                                                        0x18b00196b3d021d2,
-                                                        0x1a827999fcef3242,
-                                                        0x1c5e87185e67b610,
-                                                        0x1e450e0d273e7a50,
-                                                        0x20370336b4f9ee86,
-                                                        0x22356e321069d70d,
-                                                        0x24416bde08f04a1b,
-                                                        0x265c311208fff978,
-                                                        0x28870db739cbb52c,
-                                                        0x2ac370556ff320bd,
-                                                        0x2d12ea28ea3b6c51,
-                                                        0x2f7733da53219d2b,
-                                                        0x31f232f7f0bdd5a2,
-                                                        0x34860055c8509f96,
-                                                        0x3734ef831835e45c,
-                                                        0x3a01978e709a5c63,
-                                                        0x3ceedd5f922e0cc9,
-                                                        0x4000000000000000};
+FIXED_CONSTANT std::array<std::uint64_t, 33> tangents{0x0,
+                                                      0x192346247a91f00,
+                                                      0x324e4f147622c40,
+                                                      0x4b88e733fce0c58,
+                                                      0x64daee316cb6898,
+                                                      0x7e4c60ea36e7a37,
+                                                      0x97e5639d3032013,
+                                                      0xb1ae4c867069ae6,
+                                                      0xcbafaf02a98ac04,
+                                                      0xe5f2675a5a67929,
+                                                      0x1007fa758626ae2b,
+                                                      0x11b6103d3597e939,
+                                                      0x136a08355c63dbc5,
+                                                      0x15248ae1701b1770,
+                                                      0x16e649f7d786492f,
+                                                      0x18b00196b3d021d2,
+                                                      0x1a827999fcef3242,
+                                                      0x1c5e87185e67b610,
+                                                      0x1e450e0d273e7a50,
+                                                      0x20370336b4f9ee86,
+                                                      0x22356e321069d70d,
+                                                      0x24416bde08f04a1b,
+                                                      0x265c311208fff978,
+                                                      0x28870db739cbb52c,
+                                                      0x2ac370556ff320bd,
+                                                      0x2d12ea28ea3b6c51,
+                                                      0x2f7733da53219d2b,
+                                                      0x31f232f7f0bdd5a2,
+                                                      0x34860055c8509f96,
+                                                      0x3734ef831835e45c,
+                                                      0x3a01978e709a5c63,
+                                                      0x3ceedd5f922e0cc9,
+                                                      0x4000000000000000};
 
 /// Coefficient n is that of z^(2n + 1) in tan(z), divided by 1024^n, in units of 2^-64, to nearest,
 /// for n from 1.
-inline constexpr std::array<std::uint64_t, 4> tangent_coefficients{0x15555555555555, 0x22222222222,
-                                                                   0x37437437, 0x5993d};
+FIXED_CONSTANT std::array<std::uint64_t, 4> tangent_coefficients{0x15555555555555, 0x22222222222,
+                                                                 0x37437437, 0x5993d};
 
 /// Coefficient n is 1 / ((2n + 1) 1024^n) in units of 2^-64, to nearest, for n from 1.
-inline constexpr std::array<std::uint64_t, 4> arctangent_coefficients{
-    0x15555555555555, 0x33333333333, 0x92492492, 0x1c71c7};
+FIXED_CONSTANT std::array<std::uint64_t, 4> arctangent_coefficients{0x15555555555555, 0x33333333333,
+                                                                    0x92492492, 0x1c71c7};
 
 /// Pi in units of 2^-58, to nearest.
-inline constexpr std::uint64_t pi_58 = 0xc90fdaa22168c23;
+FIXED_CONSTANT std::uint64_t pi_58 = 0xc90fdaa22168c23;
 
 /// What pi_58 lacks in units of 2^-90, to nearest.
 inline constexpr std::int32_t pi_rest = 0x4c4c6629;
@@ -285,16 +287,15 @@ inline constexpr std::array<std::uint64_t, 5> long_arctangent_coefficients{
     0x6666666666666666, 0x4924924924925, 0x38e38e38e4, 0x2e8ba2f, 0x2762};
 
 /// Pi in units of 2^-184, to nearest.
-inline constexpr real_words real_pi{0x44a4093822299f32, 0xd313198a2e037073, 0x3243f6a8885a308};
+FIXED_CONSTANT real_words real_pi{0x44a4093822299f32, 0xd313198a2e037073, 0x3243f6a8885a308};
 
 /// 2/pi in units of 2^-184, to nearest.
-inline constexpr real_words real_2_over_pi{0xc0db6295993c4390, 0x29fc2757d1f534dd,
-                                           0xa2f9836e4e4415};
+FIXED_CONSTANT real_words real_2_over_pi{0xc0db6295993c4390, 0x29fc2757d1f534dd, 0xa2f9836e4e4415};
 
 /// 1 / (2 pi) in units of 2^-128, rounded down: the upper 64 bits.
-inline constexpr std::uint64_t turns_high = 0x28be60db9391054a;
+FIXED_CONSTANT std::uint64_t turns_high = 0x28be60db9391054a;
 
 /// The lower 64 bits.
-inline constexpr std::uint64_t turns_low = 0x7f09d5f47d4d3770;
+FIXED_CONSTANT std::uint64_t turns_low = 0x7f09d5f47d4d3770;
 
 }  // namespace fixproof::detail

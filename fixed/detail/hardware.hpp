@@ -4,7 +4,14 @@
 #pragma once
 
 #include <cfloat>
+#include <concepts>
 #include <limits>
+
+#include "fixed/detail/gpu.hpp"
+
+#if defined(_MSC_VER) && !defined(__clang__)
+#include <cmath>
+#endif
 
 namespace fixproof::detail {
 
@@ -12,7 +19,7 @@ namespace fixproof::detail {
 // tell: a processor without a floating-point unit, or with one for float alone. Bit 3 of __ARM_FP
 // is that of double. GCC defines _SOFT_FLOAT on x86, PowerPC and SPARC. Code for a GPU counts as
 // such, too: its compilers contract a product and a sum, which changes bits.
-#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+#if defined(FIXED_GPU)
 #define FIXED_SOFT_DOUBLE
 #elif defined(__arm__)
 #if !defined(__ARM_FP) || !(__ARM_FP & 8)
@@ -76,10 +83,23 @@ constexpr bool divides_in_double = hardware_double && sizeof(void*) < sizeof(dou
 constexpr bool divides_in_words = !hardware_double && sizeof(void*) < sizeof(double);
 
 // The compiler's, because <cmath> takes a seventh of the time to compile fixed.hpp. Not called if
-// hardware_double is false.
-inline double copysign(double magnitude, double sign) noexcept {
+// hardware_double is false. constexpr, because clang++ lets code for a GPU name only such
+// functions, even where it does not call them. Templates, because no root is constant.
+template <std::same_as<double> Double>
+constexpr Double copysign(Double magnitude, Double sign) noexcept {
+#if defined(_MSC_VER) && !defined(__clang__)
+  return std::copysign(magnitude, sign);
+#else
   return __builtin_copysign(magnitude, sign);
+#endif
 }
-inline double sqrt(double x) noexcept { return __builtin_sqrt(x); }
+template <std::same_as<double> Double>
+constexpr Double sqrt(Double x) noexcept {
+#if defined(_MSC_VER) && !defined(__clang__)
+  return std::sqrt(x);
+#else
+  return __builtin_sqrt(x);
+#endif
+}
 
 }  // namespace fixproof::detail

@@ -6,10 +6,14 @@
 
 #include "fixed/detail/standard.hpp"
 
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
 #define FIXED_INLINE __attribute__((always_inline))
 #define FIXED_ALWAYS_INLINE FIXED_INLINE inline
 #define FIXED_NOINLINE __attribute__((noinline))
+#elif defined(_MSC_VER)
+#define FIXED_INLINE
+#define FIXED_ALWAYS_INLINE __forceinline
+#define FIXED_NOINLINE __declspec(noinline)
 #else
 #define FIXED_INLINE
 #define FIXED_ALWAYS_INLINE inline

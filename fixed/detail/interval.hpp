@@ -6,11 +6,11 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
 #include "fixed/detail/assert.hpp"
+#include "fixed/detail/bits.hpp"
 #include "fixed/detail/interval_constants.hpp"
 #include "fixed/detail/limb_integer.hpp"
 #include "fixed/detail/square_root.hpp"
@@ -278,7 +278,7 @@ class interval {
       return;
     }
     // The radius stays below 2^48.
-    const int room = radius_ == 0 ? places : std::countl_zero(radius_) - 16;
+    const int room = radius_ == 0 ? places : leading_zeros(radius_) - 16;
     int lost = places <= room ? 0 : (places - room + 31) / 32;
     if (static_cast<int>(size()) - lost < static_cast<int>(fewest_digits)) {
       // Too little is known: the first digits, which are 0, are left out.
@@ -308,7 +308,7 @@ class interval {
     // In units of the last digit of a, the radius of b has `places` bits less, or more.
     const int more = 32 * (static_cast<int>(a.size()) - static_cast<int>(b.size()));
     const int places = a.exponent_ - b.exponent_ - more;
-    if (places < 0 && b.radius_ != 0 && std::countl_zero(b.radius_) - 8 < -places) {
+    if (places < 0 && b.radius_ != 0 && leading_zeros(b.radius_) - 8 < -places) {
       return sum_of(a.without_last(1), b);
     }
     interval addend = b;

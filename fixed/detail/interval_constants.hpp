@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "fixed/detail/gpu.hpp"
+
 namespace fixproof::detail {
 
 /// A number with 576 significant bits, rounded toward zero: its limbs, the lowest first, are the
@@ -16,7 +18,7 @@ struct real_constant {
 };
 
 /// log(2).
-inline constexpr real_constant log_of_2{
+FIXED_CONSTANT real_constant log_of_2{
     false,
     0,
     {0x224ae8c5, 0x3e96ca16, 0x1169b825, 0x27573b29, 0xc1382144, 0xed2eae35, 0x4afa1b10, 0x559552fb,
@@ -24,7 +26,7 @@ inline constexpr real_constant log_of_2{
      0xd1cf79ab, 0xb17217f7}};
 
 /// log2(e).
-inline constexpr real_constant log2_of_e{
+FIXED_CONSTANT real_constant log2_of_e{
     false,
     1,
     {0x2617d9d5, 0x2fe29493, 0x53df39b3, 0xc4bfaf03, 0x0c4a909f, 0xea90b9e6, 0xc16be0b3, 0x24d92f75,
@@ -32,7 +34,7 @@ inline constexpr real_constant log2_of_e{
      0x5c17f0bb, 0xb8aa3b29}};
 
 /// log2(10).
-inline constexpr real_constant log2_of_10{
+FIXED_CONSTANT real_constant log2_of_10{
     false,
     2,
     {0x7d9b5d4d, 0xf64f96c1, 0x4f603381, 0xcff162cd, 0x0565ca54, 0x1435ee48, 0x63ad0bd6, 0x3e24beab,
@@ -40,7 +42,7 @@ inline constexpr real_constant log2_of_10{
      0xcd1b8afe, 0xd49a784b}};
 
 /// log10(2).
-inline constexpr real_constant log10_of_2{
+FIXED_CONSTANT real_constant log10_of_2{
     false,
     -1,
     {0x02555cbc, 0x5f837dee, 0x2552d2cc, 0x58b527f5, 0xb18b921e, 0x91473495, 0x3471bd12, 0x9e5cbc73,
@@ -48,7 +50,7 @@ inline constexpr real_constant log10_of_2{
      0xfbcff798, 0x9a209a84}};
 
 /// pi / 2.
-inline constexpr real_constant real_half_pi{
+FIXED_CONSTANT real_constant real_half_pi{
     false,
     1,
     {0x625e7ec6, 0xe485b576, 0x6d51c245, 0x4fe1356d, 0xf25f1437, 0x302b0a6d, 0xcd3a431b, 0xef9519b3,
@@ -56,7 +58,7 @@ inline constexpr real_constant real_half_pi{
      0x2168c234, 0xc90fdaa2}};
 
 /// 2 / pi.
-inline constexpr real_constant quarters_of_radian{
+FIXED_CONSTANT real_constant quarters_of_radian{
     false,
     0,
     {0xb45f7e41, 0xe99c7026, 0x2ebb4484, 0xe88235f5, 0xb129a73e, 0xfe1deb1c, 0x09d1921c, 0x06492eea,
@@ -64,7 +66,7 @@ inline constexpr real_constant quarters_of_radian{
      0x4e441529, 0xa2f9836e}};
 
 /// log(i / 8) for i = 6, 7, 9, 10 and 11.
-inline constexpr std::array<real_constant, 5> logs_of_eighths{
+FIXED_CONSTANT std::array<real_constant, 5> logs_of_eighths{
     {{true,
       -1,
       {0x4c4201c9, 0xecb9fe94, 0x255d53cb, 0xfeed3ac2, 0xc7910bcc, 0xf0028ec8, 0x24b34e98,
@@ -92,7 +94,7 @@ inline constexpr std::array<real_constant, 5> logs_of_eighths{
        0xe39a20ae, 0x5bd9bd99, 0xe2f613e8, 0xa30c5e10}}}};
 
 /// atan(i / 8) for i = 1 to 8.
-inline constexpr std::array<real_constant, 8> arctangents_of_eighths{
+FIXED_CONSTANT std::array<real_constant, 8> arctangents_of_eighths{
     {{false,
       -3,
       {0xfd41142d, 0xdf73a28d, 0xbf846f6d, 0x2a6cd88a, 0xf29afbfd, 0x5d73c989, 0xe234d71d,

@@ -2,10 +2,10 @@
 /// Roots and powers by intervals: an integer of ulps.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
+#include "fixed/detail/bits.hpp"
 #include "fixed/detail/interval.hpp"
 #include "fixed/detail/interval_functions.hpp"
 #include "fixed/detail/interval_rounding.hpp"
@@ -56,10 +56,10 @@ constexpr std::uint64_t exact_root(std::uint64_t square) noexcept {
 constexpr int128 odd_half_ulps(const real_operand& x, const real_operand& y,
                                int fraction_bits) noexcept {
   if (x.magnitude == 0 || y.magnitude == 0) return int128{0};
-  const int twos = std::countr_zero(x.magnitude);
+  const int twos = trailing_zeros(x.magnitude);
   std::uint64_t root = x.magnitude >> twos;
   int exponent = twos - x.places;
-  const int shared = std::countr_zero(y.magnitude);
+  const int shared = trailing_zeros(y.magnitude);
   for (int q = y.places; q > shared; --q) {
     if (exponent % 2 != 0) return int128{0};
     exponent /= 2;

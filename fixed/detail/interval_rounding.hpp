@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "fixed/detail/assert.hpp"
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/interval.hpp"
 #include "fixed/detail/rounding.hpp"
 #include "fixed/detail/wide_integer.hpp"
@@ -53,7 +54,7 @@ constexpr real_operand real_operand_of(Number x) noexcept {
 }
 
 /// Out of range in every format.
-inline constexpr int128 far_ulps = int128{1} << 66;
+FIXED_CONSTANT int128 far_ulps = int128{1} << 66;
 
 constexpr auto with_sign(const auto& value, bool is_negative) noexcept {
   return is_negative ? -value : value;
@@ -61,7 +62,7 @@ constexpr auto with_sign(const auto& value, bool is_negative) noexcept {
 
 /// Whether a rule gives bounds.
 template <rounding Rounding>
-inline constexpr bool is_bound = !is_to_nearest<Rounding>;
+FIXED_CONSTANT bool is_bound = !is_to_nearest<Rounding>;
 
 /// compute(digits), an interval, rounded to an integer of ulps. @pre it is no tie
 ///

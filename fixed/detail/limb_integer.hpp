@@ -5,9 +5,10 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+
+#include "fixed/detail/bits.hpp"
 
 namespace fixproof::detail {
 
@@ -38,7 +39,7 @@ struct limb_integer {
   [[nodiscard]] constexpr int zero_bits() const noexcept {
     const std::size_t zeros = zero_digits();
     const int bits = 32 * static_cast<int>(zeros);
-    return zeros < size ? bits + std::countl_zero(digits[size - 1 - zeros]) : bits;
+    return zeros < size ? bits + leading_zeros(digits[size - 1 - zeros]) : bits;
   }
 
   /// Drops the last digits. Returns whether one of them is not 0. @pre count < size

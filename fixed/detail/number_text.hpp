@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
+#include "fixed/detail/bits.hpp"
 #include "fixed/detail/decimal.hpp"
 
 namespace fixproof::detail {
@@ -181,7 +181,7 @@ class number_text {
     const bool upper = style.type == 'A';
     add_to_head('0');
     add_to_head(upper ? 'X' : 'x');
-    const int top = magnitude == 0 ? 0 : static_cast<int>(std::bit_width(magnitude)) - 1;
+    const int top = magnitude == 0 ? 0 : width_of(magnitude) - 1;
     add_digit(magnitude >> top, style.type);
     set_fraction(top > 0 ? magnitude << (64 - top) : 0, 4, style.type);
     has_point_ = has_point_ || style.alternate;

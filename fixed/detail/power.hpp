@@ -7,12 +7,12 @@
 /// and any other one again with more bits.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
 #include "fixed/detail/assert.hpp"
+#include "fixed/detail/bits.hpp"
 #include "fixed/detail/choose.hpp"
 #include "fixed/detail/exponential.hpp"
 #include "fixed/detail/function_tables.hpp"
@@ -145,8 +145,8 @@ template <rounding Rounding>
 constexpr exact_power rational_power(std::uint64_t raw, std::int64_t exponent,
                                      int fraction_bits) noexcept {
   constexpr exact_power unknown{false, 0};
-  std::uint64_t m = raw >> std::countr_zero(raw);
-  std::int64_t e = std::countr_zero(raw) - fraction_bits;
+  std::uint64_t m = raw >> trailing_zeros(raw);
+  std::int64_t e = trailing_zeros(raw) - fraction_bits;
   std::int64_t n = exponent;
   int roots = fraction_bits;
   for (; roots > 0 && n % 2 == 0; --roots) n /= 2;

@@ -2,12 +2,12 @@
 /// The rounded quotient of two stored integers, exact, from integers or hardware doubles.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
 #include "fixed/detail/bit_cast.hpp"
+#include "fixed/detail/bits.hpp"
 #include "fixed/detail/hardware.hpp"
 #include "fixed/detail/inlining.hpp"
 #include "fixed/detail/rounding.hpp"
@@ -96,7 +96,7 @@ constexpr std::int64_t quotient_by_words(std::int32_t numerator, std::int32_t di
   std::uint32_t d = negated_if(divisor < 0, static_cast<std::uint32_t>(divisor));
   std::uint64_t quotient = n / d;
   // The remainder and the divisor times the same power of two.
-  const int zeros = std::countl_zero(d);
+  const int zeros = leading_zeros(d);
   std::uint32_t rest = n % d << zeros;
   d <<= zeros;
   constexpr int last = Shift < 16 ? Shift : 16;

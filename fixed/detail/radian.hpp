@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "fixed/detail/cosine.hpp"
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/storage.hpp"
 #include "fixed/policy.hpp"
 
@@ -17,18 +18,18 @@ namespace fixproof::detail {
 
 /// 2^-16 radians in units of 2^-64 of a turn, that is 2^48 / (2 pi), to nearest; then the remainder
 /// in units of 2^-96 of a turn. The error of the first alone is at most 2^-38.5 of a turn.
-inline constexpr std::uint64_t turns_per_unit = 0x28be60db9391;
-inline constexpr std::int64_t turns_per_unit_rest = 88768266;
+FIXED_CONSTANT std::uint64_t turns_per_unit = 0x28be60db9391;
+FIXED_CONSTANT std::int64_t turns_per_unit_rest = 88768266;
 
-inline constexpr std::uint64_t quarter_turn = std::uint64_t{1} << 62;
-inline constexpr std::uint64_t half_turn = std::uint64_t{1} << 63;
+FIXED_CONSTANT std::uint64_t quarter_turn = std::uint64_t{1} << 62;
+FIXED_CONSTANT std::uint64_t half_turn = std::uint64_t{1} << 63;
 
 /// The error bound of fast_cosine() in units of 2^-62: 2^-29.
-inline constexpr std::uint64_t fast_cosine_error = std::uint64_t{1} << 33;
+FIXED_CONSTANT std::uint64_t fast_cosine_error = std::uint64_t{1} << 33;
 
 /// Coefficients of a minimax polynomial in the square z of d: c0 - z (c1 - z (c2 - ...)). c0 has 62
 /// bits after the point, c1 31, the others 32.
-inline constexpr std::array<std::uint64_t, 6> fast_coefficients{
+FIXED_CONSTANT std::array<std::uint64_t, 6> fast_coefficients{
     0x3fffffff74bfd230, 0x9de9e62b, 0x40f07905, 0x55741d4, 0x3c24de, 0x18fb7};
 
 /// The cosine of d / 2^31 quarter turns in units of 2^-62, modulo 2^64. The error is below 2^-29
@@ -74,7 +75,7 @@ struct fast_rounding {
 };
 
 /// Added to the turns of an angle to round them to the bits above the lower 31.
-inline constexpr std::uint64_t turns_bias = std::uint64_t{1} << 30;
+FIXED_CONSTANT std::uint64_t turns_bias = std::uint64_t{1} << 30;
 
 /// Whether nearest_sine() covers the format, 8.8 or 16.16, and the rule of its functions.
 template <class Raw, int FractionBits, policy Rules>

@@ -4,15 +4,17 @@
 ///
 /// Without exceptions (-fno-exceptions) it writes the text to stderr and aborts; under
 /// -ffreestanding it executes a trap instruction. FIXED_ON_ERROR replaces all of this, and then no
-/// text of the operands is made.
+/// text of the operands is made. Code for a GPU always executes a trap instruction.
 #pragma once
 
 #include <cstddef>
 
 #include "fixed/detail/decimal.hpp"
 #include "fixed/detail/floating.hpp"
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/other_floats.hpp"
 #include "fixed/detail/storage.hpp"
+#include "fixed/detail/trap.hpp"
 
 #if defined(FIXED_ON_ERROR) || __STDC_HOSTED__
 #include "fixed/detail/throw.hpp"
@@ -46,14 +48,23 @@ struct term_count {
   std::size_t terms;
 };
 
-#if defined(FIXED_ON_ERROR)
+#if defined(FIXED_GPU) || (!defined(FIXED_ON_ERROR) && !__STDC_HOSTED__)
+
+// constexpr, because nvcc makes such a function for a GPU, too.
+template <class Error, class... Operands>
+[[noreturn]] constexpr void raise(const char* /*what*/, const char* /*operation*/,
+                                  Operands... /*operands*/) noexcept {
+  trap();
+}
+
+#elif defined(FIXED_ON_ERROR)
 
 template <class Error, class... Operands>
 [[noreturn]] void raise(const char* what, const char* operation, Operands... /*operands*/) {
   FIXED_ON_ERROR(what, operation);
 }
 
-#elif __STDC_HOSTED__
+#else
 
 template <class Raw, int FractionBits>
 std::string describe(operand<Raw, FractionBits> x) {
@@ -89,19 +100,11 @@ template <class Error, class... Operands>
   throw_error<Error>(text.c_str());
 }
 
-#else
-
-template <class Error, class... Operands>
-[[noreturn]] void raise(const char* /*what*/, const char* /*operation*/,
-                        Operands... /*operands*/) noexcept {
-  __builtin_trap();
-}
-
 #endif
 
 /// Raises an overflow error for an operation on stored integers.
 template <int FractionBits, class... Raws>
-[[noreturn]] void raise_overflow(const char* operation, Raws... operands) {
+[[noreturn]] constexpr void raise_overflow(const char* operation, Raws... operands) {
   raise<overflow_error>("overflow", operation, operand<Raws, FractionBits>{operands}...);
 }
 

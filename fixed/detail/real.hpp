@@ -6,6 +6,7 @@
 
 #include "fixed/detail/assert.hpp"
 #include "fixed/detail/function_tables.hpp"
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/wide_integer.hpp"
 
 namespace fixproof::detail {
@@ -13,7 +14,7 @@ namespace fixproof::detail {
 /// A number in units of 2^-184.
 using real = wide_integer<6>;
 inline constexpr int real_bits = 184;
-inline constexpr real real_one = real{1} << real_bits;
+FIXED_CONSTANT real real_one = real{1} << real_bits;
 
 constexpr real real_from(const real_words& words) noexcept {
   return (real{words[2]} << 128) + (real{words[1]} << 64) + real{words[0]};

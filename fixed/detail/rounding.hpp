@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/inlining.hpp"
 #include "fixed/detail/wide_integer.hpp"
 #include "fixed/policy.hpp"
@@ -23,6 +24,19 @@ constexpr bool is_odd(const Int& x) noexcept {
   return (static_cast<std::uint64_t>(x) & 1) != 0;
 }
 
+/// The same, but the compiler does not see that it is a sign. In code for NVIDIA's GPUs, clang++
+/// before 19 translates `x >> 63 & 65535` to the bits of x from the 63rd on, which are one.
+FIXED_ALWAYS_INLINE constexpr bool hidden(bool negative) noexcept {
+#if defined(FIXED_GPU) && defined(__clang__) && __clang_major__ < 19
+  if (!std::is_constant_evaluated()) {
+    int word{negative};
+    asm("" : "+r"(word));
+    return word != 0;
+  }
+#endif
+  return negative;
+}
+
 /// The bias to add before a floor division by `unit`, so that the quotient is rounded by rule
 /// Rounding.
 /// @param negative whether the value is below zero
@@ -37,7 +51,7 @@ FIXED_ALWAYS_INLINE constexpr Int bias(bool negative, bool odd, Int unit) noexce
   } else if constexpr (Rounding == rounding::half_even) {
     return (unit >> 1) - Int{!odd};
   } else if constexpr (Rounding == rounding::truncate) {
-    return negative ? unit - Int{1} : Int{0};
+    return hidden(negative) ? unit - Int{1} : Int{0};
   } else if constexpr (Rounding == rounding::ceiling) {
     return unit - Int{1};
   } else {
@@ -118,9 +132,7 @@ constexpr Int rounded_ratio(Int numerator, Int divisor) noexcept {
     above_floor = above_floor + divisor;
   }
   const Int to_upper = divisor - above_floor;
-  const std::strong_ordering order = above_floor < to_upper   ? std::strong_ordering::less
-                                     : to_upper < above_floor ? std::strong_ordering::greater
-                                                              : std::strong_ordering::equal;
+  const std::strong_ordering order = ordering(above_floor < to_upper, to_upper < above_floor);
   return floor + Int{rounds_up<Rounding>(order, above_floor == zero, negative, is_odd(floor))};
 }
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "fixed/detail/standard.hpp"
+#include "fixed/detail/gpu.hpp"
 
 namespace fixproof::detail {
 
@@ -25,6 +25,19 @@ using int128 = wide_integer<2>;
 // Freestanding libraries may lack <algorithm>.
 constexpr int larger(int a, int b) noexcept { return a < b ? b : a; }
 constexpr int largest(int a, int b, int c) noexcept { return larger(a, larger(b, c)); }
+
+/// The order of two values, of which the first may be less or greater. nvcc does not put the
+/// objects of std::strong_ordering into the memory of a GPU; without them, g++ takes half as long
+/// again.
+constexpr std::strong_ordering ordering(bool less, bool greater) noexcept {
+#if defined(FIXED_GPU) && defined(__NVCC__)
+  return int{greater} <=> int{less};
+#else
+  return less      ? std::strong_ordering::less
+         : greater ? std::strong_ordering::greater
+                   : std::strong_ordering::equal;
+#endif
+}
 
 /// The product of two words.
 struct two_words {
@@ -191,7 +204,12 @@ class wide_integer {
     return result;
   }
 
-  friend constexpr bool operator==(const wide_integer&, const wide_integer&) noexcept = default;
+  // Not the array's, because clang++ calls memcmp for it, which a GPU does not have.
+  friend constexpr bool operator==(const wide_integer& a, const wide_integer& b) noexcept {
+    std::uint64_t differing = 0;
+    for (std::size_t i = 0; i < Words; ++i) differing |= a.words_[i] ^ b.words_[i];
+    return differing == 0;
+  }
 
   friend constexpr std::strong_ordering operator<=>(const wide_integer& a,
                                                     const wide_integer& b) noexcept {
@@ -199,7 +217,7 @@ class wide_integer {
     for (std::size_t i = Words; i-- > 0;) {
       if (a.words_[i] != b.words_[i]) return a.words_[i] <=> b.words_[i];
     }
-    return std::strong_ordering::equal;
+    return ordering(false, false);
   }
 
   /// The quotient and the remainder of magnitudes. @pre x >= 0, divisor > 0, one bit to spare
