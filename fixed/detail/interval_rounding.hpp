@@ -62,7 +62,7 @@ constexpr auto with_sign(const auto& value, bool is_negative) noexcept {
 
 /// Whether a rule gives bounds.
 template <rounding Rounding>
-FIXED_CONSTANT bool is_bound = !is_to_nearest<Rounding>;
+inline constexpr bool is_bound = !is_to_nearest<Rounding>;
 
 /// compute(digits), an interval, rounded to an integer of ulps. @pre it is no tie
 ///
