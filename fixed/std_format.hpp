@@ -25,7 +25,6 @@
 #ifndef FIXED_FORMAT_HPP
 #define FIXED_FORMAT_HPP
 
-#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <type_traits>
@@ -256,7 +255,7 @@ class text_formatter {
     style.precision = format_.precision.in(context);
     const std::size_t width = format_.width.in(context);
     const auto text = number_text::of<FractionBits>(value.raw(), style);
-    const std::size_t padding = width - (std::min)(width, text.size());
+    const std::size_t padding = width > text.size() ? width - text.size() : 0;
     const std::size_t zeros = format_.pads_with_zeros ? padding : 0;
     const std::size_t spaces = padding - zeros;
     const std::size_t before = format_.align == '<'   ? 0

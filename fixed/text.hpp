@@ -2,7 +2,6 @@
 /// Exact decimal text, with the interface of `<charconv>`, and stream operators.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -39,7 +38,8 @@ constexpr std::to_chars_result to_chars(char* first, char* last,
   const char* begin = text.data();
   const char* end = detail::write_decimal<Point>(text.data(), value.raw());
   if (last - first < end - begin) return {last, std::errc::value_too_large};
-  return {std::copy(begin, end, first), std::errc{}};
+  while (begin != end) *first++ = *begin++;
+  return {first, std::errc{}};
 }
 
 /// Reads the longest prefix that is a decimal number, such as "-1.5", "3", "+.5", "3." or "2E-3",

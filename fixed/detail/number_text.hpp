@@ -2,7 +2,6 @@
 /// The text of a number in every notation; formatters and streams share it.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -111,7 +110,7 @@ class number_text {
   /// Keeps `precision` digits after the point.
   constexpr void set_fixed(std::size_t precision) noexcept {
     const std::size_t exact = end_ - whole_;
-    zeros_ = precision - (std::min)(precision, exact);
+    zeros_ = precision > exact ? precision - exact : 0;
     if (precision < exact) round_at(whole_ + precision);
     has_point_ = precision != 0;
   }

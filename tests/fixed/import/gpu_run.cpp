@@ -6,13 +6,13 @@
 #include "tests/fixed/import/gpu.hpp"
 #include "tests/fixed/import/ptx.hpp"
 
-#define KERNEL(name, type, result)                                        \
+#define KERNEL(name, type, result)                                          \
   extern "C" void name##_kernel(const std::int64_t* in, std::int64_t* out); \
-  static void name##_here(const std::int64_t* in, std::int64_t* out) {    \
-    const auto x = number_of<type>(in[0]);                                \
-    [[maybe_unused]] const auto y = number_of<type>(in[1]);               \
-    [[maybe_unused]] const auto z = number_of<type>(in[2]);               \
-    *out = word(result);                                                  \
+  static void name##_here(const std::int64_t* in, std::int64_t* out) {      \
+    const auto x = number_of<type>(in[0]);                                  \
+    [[maybe_unused]] const auto y = number_of<type>(in[1]);                 \
+    [[maybe_unused]] const auto z = number_of<type>(in[2]);                 \
+    *out = word(result);                                                    \
   }
 #include "tests/fixed/import/gpu_kernels.hpp"
 
@@ -80,11 +80,11 @@ int main() {
       }
       const answer here = answer_of(k.here, in);
       if (there == here) continue;
-      std::printf("%s of %llx, %llx, %llx is %llx%s on this processor, and %llx%s on the GPU\n", k.name,
-                  static_cast<unsigned long long>(in[0]), static_cast<unsigned long long>(in[1]),
-                  static_cast<unsigned long long>(in[2]), static_cast<unsigned long long>(here.word),
-                  here.is_error ? " (an error)" : "", static_cast<unsigned long long>(there.word),
-                  there.is_error ? " (a trap)" : "");
+      std::printf("%s of %llx, %llx, %llx is %llx%s on this processor, and %llx%s on the GPU\n",
+                  k.name, static_cast<unsigned long long>(in[0]),
+                  static_cast<unsigned long long>(in[1]), static_cast<unsigned long long>(in[2]),
+                  static_cast<unsigned long long>(here.word), here.is_error ? " (an error)" : "",
+                  static_cast<unsigned long long>(there.word), there.is_error ? " (a trap)" : "");
       ++wrong;
       break;
     }

@@ -28,7 +28,9 @@ template <class Register, class Value>
 void set(Register& to, Value x) {
   to = as<Register>(x);
 }
-inline std::uint64_t address_of(const void* place) { return reinterpret_cast<std::uintptr_t>(place); }
+inline std::uint64_t address_of(const void* place) {
+  return reinterpret_cast<std::uintptr_t>(place);
+}
 
 template <class Type>
 Type load(std::uint64_t address) {
