@@ -7,7 +7,7 @@ namespace fixproof::cli::shell {
 
 namespace {
 
-OptionEntry entry_of(const CLI::Option& option) {
+OptionEntry option_entry(const CLI::Option& option) {
   OptionEntry entry;
   entry.is_positional = !option.nonpositional();
   if (entry.is_positional) {
@@ -32,7 +32,7 @@ OptionEntry entry_of(const CLI::Option& option) {
 CommandEntry entry_of(const CLI::App& app) {
   CommandEntry entry{app.get_name(), app.get_description(), app.get_group(), {}, app.get_footer()};
   for (const CLI::Option* option : app.get_options()) {
-    if (!option->get_group().empty()) entry.options.push_back(entry_of(*option));
+    if (!option->get_group().empty()) entry.options.push_back(option_entry(*option));
   }
   return entry;
 }
