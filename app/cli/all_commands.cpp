@@ -13,13 +13,14 @@ struct Group {
   std::vector<void (*)(CLI::App&, int&)> commands;
 };
 
-const std::array<Group, 4> groups{{
+const std::array<Group, 5> groups{{
     {"Judge your own code", {add_gen, add_check, add_judge, add_desync}},
     {"Verify FIXED.ASM and the number type",
      {add_verify, add_merge, add_prove, add_mutate, add_step}},
     {"Look inside", {add_eval, add_trace, add_list, add_dos}},
     {"Scenes and what they cost",
      {add_render, add_measure, add_drift, add_profile, add_advise, add_report}},
+    {"Your shell", {add_completion, add_manual}},
 }};
 
 }  // namespace

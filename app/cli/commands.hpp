@@ -28,5 +28,7 @@ void add_measure(CLI::App& app, int& status);
 void add_profile(CLI::App& app, int& status);
 void add_advise(CLI::App& app, int& status);
 void add_report(CLI::App& app, int& status);
+void add_completion(CLI::App& app, int& status);
+void add_manual(CLI::App& app, int& status);
 
 }  // namespace fixproof::cli
