@@ -204,8 +204,8 @@ the one that you intend, so that others are wrong.
 A routine runs on every case of `fixproof gen`, in a process of its own that can open no file and
 start no program. It runs on this processor, or on Unicorn if the processor cannot run it. An ELF
 file may have code for i386, x86-64, ARM and Thumb, AArch64, RISC-V of 32 and 64 bits, MIPS of 32
-bits, the 68000, PowerPC, s390x or, if the build has simavr, AVR. C and C++ are compiled with -O2,
-or as $CFLAGS or $CXXFLAGS say.
+bits, the 68000, PowerPC, s390x, SPARC V8 or, if the build has simavr, AVR. C and C++ are compiled
+with -O2, or as $CFLAGS or $CXXFLAGS say.
 
 --frame says where the operands and the result are. Types of C are passed as a C compiler does:
 'long, long -> long', or 'int32_t*, int32_t*, int32_t*, 1 ->' for pointers to both operands and the

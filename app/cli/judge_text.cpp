@@ -133,8 +133,10 @@ std::string text_of(const judge::Ending& ending, const judge::Image& image) {
     case judge::End::bad_address:
       if (const judge::Symbol* const missing = image.missing_at(ending.address)) {
         const std::string name = support::quoted(missing->name);
+        const bool has_library = image.architecture == nullptr || image.architecture->has_library;
         // Compilers call functions of their own library, whose names begin so.
-        if (image.container == judge::object_container && missing->name.starts_with("__")) {
+        if (image.container == judge::object_container && missing->name.starts_with("__") &&
+            has_library) {
           return fmt::format(
               "uses {}, which the object does not have, {}; Debian's package {} has "
               "it, and judge adds it",

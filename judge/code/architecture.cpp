@@ -16,7 +16,7 @@ namespace {
 // The conventions are those of: Procedure Call Standard for the Arm Architecture and for the Arm
 // 64-bit Architecture (Arm), RISC-V ELF psABI, System V ABI MIPS Processor Supplement, System V ABI
 // Motorola 68000 Processor Supplement as GCC follows it, Power Architecture 32-bit ABI Supplement,
-// and zSeries ELF ABI Supplement.
+// zSeries ELF ABI Supplement, and System V ABI SPARC Processor Supplement.
 
 constexpr std::string_view mips_names =
     "at v0 v1 a0 a1 a2 a3 t0 t1 t2 t3 t4 t5 t6 t7 s0 s1 s2 s3 s4 s5 s6 s7 t8 t9 k0 k1 gp sp fp ra";
@@ -70,7 +70,8 @@ constexpr Architecture mips(bool is_big_endian) {
           .has_even_pairs = true,
           .first_on_stack = 16,
           .toolchains = {is_big_endian ? "mips-linux-gnu" : "mipsel-linux-gnu"},
-          .package = is_big_endian ? "gcc-mips-linux-gnu" : "gcc-mipsel-linux-gnu"};
+          .package = is_big_endian ? "gcc-mips-linux-gnu" : "gcc-mipsel-linux-gnu",
+          .relocations = {R_MIPS_REL32, R_MIPS_REL32, R_MIPS_GLOB_DAT, R_MIPS_JUMP_SLOT}};
 }
 
 /// An AVR whose return addresses have two or three bytes.
@@ -298,6 +299,35 @@ constexpr std::array architectures{
                  .toolchains = {"s390x-linux-gnu"},
                  .package = "gcc-s390x-linux-gnu",
                  .relocations = {R_390_RELATIVE, R_390_64, R_390_GLOB_DAT, R_390_JMP_SLOT}},
+    Architecture{.name = "SPARC",
+                 .machine = EM_SPARC,
+                 .is_64 = false,
+                 .is_big_endian = true,
+                 .word_bits = 32,
+                 .pointer_bits = 32,
+                 .emulator = UC_ARCH_SPARC,
+                 .mode = UC_MODE_SPARC32 | UC_MODE_BIG_ENDIAN,
+                 .runs = {RegisterRun{"g1 g2 g3 g4 g5 g6 g7", UC_SPARC_REG_G1},
+                          {"i0 i1 i2 i3 i4 i5 fp i7", UC_SPARC_REG_I0},
+                          {"l0 l1 l2 l3 l4 l5 l6 l7", UC_SPARC_REG_L0},
+                          {"o0 o1 o2 o3 o4 o5 sp o7", UC_SPARC_REG_O0}},
+                 .program_counter = UC_SPARC_REG_PC,
+                 .beyond_stop = 4,
+                 .divide_errors = {42, -1},
+                 .system_calls = {144, 136},
+                 .bad_instructions = {2, 3},
+                 .stack_pointer = "sp",
+                 .link = "o7",
+                 .behind_link = 8,
+                 .arguments = "o0 o1 o2 o3 o4 o5",
+                 .results = "o0 o1",
+                 .kept = "g6 g7 i0 i1 i2 i3 i4 i5 fp i7 l0 l1 l2 l3 l4 l5 l6 l7",
+                 .first_on_stack = 92,
+                 .toolchains = {"sparc64-linux-gnu"},
+                 .package = "gcc-sparc64-linux-gnu",
+                 .has_library = false,
+                 .linked_as = "elf32_sparc",
+                 .relocations = {R_SPARC_RELATIVE, R_SPARC_32, R_SPARC_GLOB_DAT, R_SPARC_GLOB_DAT}},
     avr(false),
     avr(true),
 };

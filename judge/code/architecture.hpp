@@ -94,6 +94,7 @@ struct Architecture {
   int model = -1;             ///< the processor's number in Unicorn; -1 for its default
   std::array<RegisterRun, 4> runs;
   int program_counter = 0;
+  std::uint32_t beyond_stop = 0;  ///< bytes from where a run stops to the program counter after it
   std::array<Setting, 2> settings{};
   FirstCode first_code{};
   std::array<Scratch, 4> scratch{};
@@ -106,7 +107,8 @@ struct Architecture {
   bool has_marked_entries = false;  ///< bit 0 of an address says that Thumb code is there
   // The convention.
   std::string_view stack_pointer;
-  std::string_view link{};  ///< receives the return address; empty if it is pushed
+  std::string_view link{};        ///< receives the return address; empty if it is pushed
+  std::uint32_t behind_link = 0;  ///< bytes from what is in `link` to where a call returns
   PushedReturn pushed{};
   std::string_view callee{};     ///< holds the address of the function that is called
   std::string_view arguments{};  ///< in their order
@@ -122,6 +124,7 @@ struct Architecture {
   // The toolchains of Debian whose linker and libgcc fit, and the package of the first.
   std::array<std::string_view, 3> toolchains{};
   std::string_view package;
+  bool has_library = true;       ///< whether the package has a libgcc for it
   std::string_view linked_as{};  ///< the linker's emulation if its default is another one, without
                                  ///< a number of `kinds`
   /// Relocations of a shared library: an address in the file; a symbol with an addend; a symbol.

@@ -84,7 +84,7 @@ class CallerElsewhere final : public Caller {
     if (a_.link.empty()) {
       store(at(stack + a_.pushed.above), image_.exit / a_.pushed.unit, a_.pushed.bytes, true);
     } else {
-      set_register(a_.link, image_.exit);
+      set_register(a_.link, image_.exit - a_.behind_link);
     }
     if (!a_.callee.empty()) set_register(a_.callee, image_.entry);
     if (!a_.zero.empty()) set_register(a_.zero, 0);

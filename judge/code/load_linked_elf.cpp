@@ -7,6 +7,7 @@
 #include "judge/code/bytes.hpp"
 #include "judge/code/elf_file.hpp"
 #include "judge/code/load.hpp"
+#include "judge/code/mips_table.hpp"
 #include "support/plain_text.hpp"
 
 namespace fixproof::judge::elf {
@@ -124,6 +125,7 @@ class Linked {
       }
       if (file_.is_list(list)) relocate(list);
     }
+    if (is_other() && image_.architecture->machine == EM_MIPS) relocate_mips_table();
   }
 
  private:
@@ -299,6 +301,27 @@ class Linked {
     });
   }
 
+  void relocate_mips_table() {
+    const auto table = mips_table(file_, image_.is_big_endian());
+    if (!table) return;
+    const auto symbols = std::ranges::find(file_.sections(), SHT_DYNSYM, &Section::type);
+    const std::uint32_t first = placed(table->address);
+    if (symbols == file_.sections().end() || first < image_.first || first > image_.end ||
+        (image_.end - first) / 4 < table->entries()) {
+      throw damaged();
+    }
+    for (std::uint32_t i = 0; i < table->entries(); ++i) {
+      std::uint8_t* const entry = image_.memory.data() + image_.index_of(first + 4 * i);
+      const auto known = static_cast<std::uint32_t>(fetch(entry, 4, image_.is_big_endian()));
+      const bool is_own = i < table->own;
+      // The first entries are those of the loader.
+      if (i == 0 || (i == 1 && known >> 31U != 0)) continue;
+      store(entry,
+            is_own ? placed(known) : value_of(*symbols, table->first_symbol + i - table->own), 4,
+            image_.is_big_endian());
+    }
+  }
+
   void relocate(const Section& list) {
     for (std::uint64_t i = 0; i < file_.relocations_in(list); ++i) {
       relocate(list, file_.relocation_at(list, i));
@@ -306,8 +329,9 @@ class Linked {
   }
 
   void relocate(const Section& list, const Relocation& one) {
-    const Put put =
-        is_other() ? put_of(one.type, *image_.architecture) : put_of(one.type, file_.is_64());
+    Put put = is_other() ? put_of(one.type, *image_.architecture) : put_of(one.type, file_.is_64());
+    // MIPS has one type for both.
+    if (is_other() && put == Put::own_address && one.symbol != 0) put = Put::symbol;
     if (put == Put::nothing) return;
     const auto symbols = [&]() -> const Section& { return file_.section(list.link); };
     if (put == Put::copied) {

@@ -39,8 +39,8 @@ std::vector<std::string> sources_of(const std::vector<Symbol>& symbols) {
 /// The names for a message, those of the compiler's library last.
 std::string names_of(const std::vector<Symbol>& symbols) {
   std::vector<std::string> names = sources_of(symbols);
-  std::ranges::stable_partition(names,
-                                [](const std::string& name) { return !name.starts_with("__"); });
+  std::stable_partition(names.begin(), names.end(),
+                        [](const std::string& name) { return !name.starts_with("__"); });
   std::string all;
   for (std::size_t i = 0; i < std::min(names.size(), most_shown); ++i) {
     all += (all.empty() ? "" : ", ") + shortened(names[i]);

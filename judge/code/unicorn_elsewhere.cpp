@@ -102,7 +102,8 @@ class UnicornElsewhere final : public UnicornMachine {
     const uc_err error = run(image().entry | image().entry_mode, image().exit);
     registers = current();
     const auto place = static_cast<std::uint32_t>(read(a_.program_counter));
-    if (error == UC_ERR_OK && ending().end == End::halted && place == image().exit) return {};
+    if (error == UC_ERR_OK && ending().end == End::halted && place == image().exit + a_.beyond_stop)
+      return {};
     if (error != UC_ERR_OK && ending().end == End::halted) {
       const bool is_address = error >= UC_ERR_READ_UNMAPPED && error <= UC_ERR_FETCH_UNMAPPED;
       ending().end = is_address ? End::bad_address : End::bad_instruction;

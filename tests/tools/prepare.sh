@@ -28,7 +28,8 @@ scale_packages=(parallel procps slurmctld slurmd slurm-client munge)
 language_packages=(rustc golang-go mono-mcs mono-runtime nodejs iverilog verilator ghdl)
 # shellcheck disable=SC2034
 processor_packages=(gcc-arm-none-eabi gcc-aarch64-linux-gnu gcc-riscv64-unknown-elf gcc-mips-linux-gnu
-  gcc-mipsel-linux-gnu gcc-m68k-linux-gnu gcc-powerpc-linux-gnu gcc-s390x-linux-gnu gcc-avr avr-libc python3)
+  gcc-mipsel-linux-gnu gcc-m68k-linux-gnu gcc-powerpc-linux-gnu gcc-s390x-linux-gnu
+  gcc-sparc64-linux-gnu gcc-avr avr-libc python3)
 # shellcheck disable=SC2034
 python_packages=(python3 python3-numpy python3-pytest python3-hypothesis python3-pip python3-setuptools python3-wheel)
 

@@ -352,4 +352,38 @@ TEST_F(DamagedElf, Symbols) {
   EXPECT_TRUE(text.empty() || text.find("is damaged") != std::string::npos) << text;
 }
 
+// No relocation names the entries of the table by which such code finds `half`, `shift` and
+// `inner`.
+TEST_F(JudgeLinkedElf, TheTableOfOffsetsOfMips) {
+  if (!command::has("mips-linux-gnu-gcc")) GTEST_SKIP() << "no mips-linux-gnu-gcc";
+  const std::string source = folder.write(
+      "f.c",
+      "int half = 0x8000; int* to_half = &half; static int shift = 16; int missing(int);\n"
+      "__attribute__((noinline)) long long inner(int a, int b) {"
+      " return a * (long long)b + *to_half; }\n"
+      "int f(int a, int b) { return (int)(inner(a, b) >> shift); }\n"
+      "int g(int a, int b) { return missing(a) + b; }\n");
+  for (const std::string kind : {"-shared -fPIC", "-pie -fPIE"}) {
+    SCOPED_TRACE(kind);
+    const std::string file = folder.path("mips.elf");
+    const auto made =
+        command::run({"sh", "-c",
+                      "mips-linux-gnu-gcc -O2 -nostdlib -Wl,-e,f,--unresolved-symbols=ignore-all " +
+                          kind + " -o " + file + " " + source});
+    ASSERT_EQ(made.status, 0) << made.err;
+    expect(judge(file + ":f", quickly), 0, {"half-up, the rounding that", "AGREES on 5,000 cases"});
+    expect(judge(file + ":g", quickly), 1, {"uses 'missing', which needs another file"});
+    // More entries than there is room for.
+    std::ifstream in(file, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    const std::size_t count = bytes.find(std::string("\x70\0\0\x0A", 4));
+    ASSERT_NE(count, std::string::npos);
+    for (const std::string& many : {std::string("\0\2\0\0", 4), std::string("\x7F\0\0\0", 4)}) {
+      command::expect_usage_error(
+          judge(folder.write("many.elf", bytes.replace(count + 4, 4, many)) + ":f", quickly),
+          "the ELF file is damaged");
+    }
+  }
+}
+
 }  // namespace

@@ -112,6 +112,7 @@ TEST(OtherProcessors, ArgumentsAreWhereTheAbiHasThem) {
   EXPECT_EQ(Placed(processor("68000")).of({32, 64, 32}), "[4] [12]+[8] [16]");
   EXPECT_EQ(Placed(processor("PowerPC")).of({32, 64, 32}), "r3 r6+r5 r7");
   EXPECT_EQ(Placed(processor("s390x")).of({64, 32, 64, 64, 32, 64}), "r2 r3 r4 r5 r6 [160]");
+  EXPECT_EQ(Placed(processor("SPARC")).of({32, 64, 32, 32, 64}), "o0 o2+o1 o3 o4 [92]+o5");
   // The lowest byte first. A byte has the lower one of two registers.
   EXPECT_EQ(Placed(processor("AVR")).of({32, 16, 8}), "r22+r23+r24+r25 r20+r21 r18");
   EXPECT_EQ(Placed(processor("AVR")).of({64, 64, 32, 16}),
