@@ -74,7 +74,7 @@ constexpr std::int64_t sine_ulps(std::uint64_t phase, int fraction_bits) noexcep
 /// Of the phase, tangents take 8 bits more than words have: those of 2^8 times the angle.
 inline constexpr int more_phase_bits = 8;
 
-/// The tangent of a phase from 0 on, or `undecided`; 2^34 for every result from there on.
+/// The tangent of a phase from 0 on, or `undecided`; 2^34 for every result from 2^33 on.
 /// @param fine 2^8 times the phase, modulo 2^64
 ///
 /// As in tangent_of_phase(), the angle is i / 64 of a quarter turn, and z beyond, but z has the 8
@@ -113,8 +113,8 @@ constexpr std::int64_t tangent_ulps(std::uint64_t phase, std::uint64_t fine,
     }
     numerator = divisor;
     for (divisor = steep; divisor < numerator; divisor <<= 1) {
-      // The tangent is above 2^(place - 1).
-      if (place > 34 - fraction_bits) {
+      // The tangent is above 2^place. Of 16.16, seven tangents above 2^17 would be undecided.
+      if (place >= 33 - fraction_bits) {
         return is_odd_quarter ? -(std::int64_t{1} << 34) : std::int64_t{1} << 34;
       }
       ++place;

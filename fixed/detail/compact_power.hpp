@@ -44,7 +44,7 @@ constexpr std::int64_t cube_root_ulps(std::uint64_t raw, int fraction_bits) noex
     rest = rest << 3 | n >> 61;
     n <<= 3;
   }
-  return root + (4 * rest > 6 * square + 3 * root ? 1 : 0);
+  return root + (4 * rest > 3 * (2 * square + root) ? 1 : 0);
 }
 
 /// 1 / sqrt(raw / 2^fraction_bits). @pre 0 < raw < 2^32, fraction_bits <= most_root_bits

@@ -63,10 +63,11 @@ TEST_F(CompactWords, OfEveryWordOf8Bits) {
 }
 
 /// The sinh and the cosine that are nearest to a tie, tangents that 64 bits of the phase do not
-/// decide, poles in degrees and turns, and words next to these.
+/// decide, one out of range that no error bound decides, poles in degrees and turns, and words next
+/// to these.
 TEST_F(CompactWords, OfHardWords) {
-  for (const std::int64_t x : {441619, 0x60cf72d8, 294933721, 522027539, 1, 2, 0x7fffffff, 0x4000,
-                               0x4001, 0x5a0000, 0x59ffff}) {
+  for (const std::int64_t x : {441619, 0x60cf72d8, 294933721, 522027539, 1054246514, 1, 2,
+                               0x7fffffff, 0x4000, 0x4001, 0x5a0000, 0x59ffff}) {
     expect_same_in_both<q16_16>(x, 1);
     expect_same_in_both<q16_16>(-x, 1);
   }
