@@ -12,7 +12,7 @@
 #include <cstdint>
 
 #include "fixed/detail/function_kinds.hpp"
-#include "fixed/detail/interval_results.hpp"
+#include "fixed/detail/interval_angle.hpp"
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/variant.hpp"

@@ -8,7 +8,7 @@
 /// other policy it saturates, because a logarithm or an exponential modulo 2^32 means nothing.
 ///
 /// Inverse hyperbolic functions, exp10 and all functions in formats of more than 32 bits compute
-/// with intervals (fixed/detail/interval_results.hpp).
+/// with intervals (fixed/detail/interval_exponential.hpp).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/instead.hpp"
-#include "fixed/detail/interval_results.hpp"
+#include "fixed/detail/interval_exponential.hpp"
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/storage.hpp"

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "fixed/detail/interval_results.hpp"
+#include "fixed/detail/interval_power.hpp"
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/overflow.hpp"

@@ -161,6 +161,15 @@ requires detail::is_plain_number<To>
   return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::e, To>(x, 1, "expm1");
 }
 
+/// 10 to the power of x, as a To.
+///
+///     static_assert(exp10<q2_30>(q16_16(-1)).raw() == 107374182);  // 107374182.4
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To exp10(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::exponential<detail::exponential_base::ten, To>(x, 0, "exp10");
+}
+
 /// The hyperbolic sine, as a To.
 template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
@@ -182,6 +191,30 @@ template <class To, class Raw, int Point, policy Rules>
 requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To tanh(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::hyperbolic_tangent<To>(x);
+}
+
+/// The number whose hyperbolic sine is x, as a To.
+///
+///     static_assert(asinh<q8_24>(q16_16(-1)).raw() == -14786995);  // -14786995.05
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To asinh(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::inverse_hyperbolic<detail::hyperbola::sine, To>(x, "asinh");
+}
+
+/// The number from 0 on whose hyperbolic cosine is x, as a To. Below 1 it is 0, or a domain_error.
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To acosh(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::inverse_hyperbolic<detail::hyperbola::cosine, To>(x, "acosh");
+}
+
+/// The number whose hyperbolic tangent is x, as a To. Outside -1 to 1, and there, it is 0, or a
+/// domain_error.
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To atanh(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::inverse_hyperbolic_tangent<To>(x);
 }
 
 /// \}
@@ -260,6 +293,76 @@ requires detail::is_plain_number<To>
 [[nodiscard]] constexpr To acos(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
   return detail::FIXED_FUNCTIONS::triangle_angle<detail::angle_unit::radian,
                                                  detail::triangle_side::cosine, To>(x, "acos");
+}
+
+/// The angle whose tangent is x, in degrees, as a To.
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To atan_in_degrees(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::angle_of_slope<detail::angle_unit::degree, To>(x,
+                                                                                 "atan_in_degrees");
+}
+
+/// The angle of the vector (x, y), in degrees, as a To; 0 if both are 0. The two numbers have one
+/// type.
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To atan2_in_degrees(
+    number<Raw, Point, Rules> y, number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::angle_of<detail::angle_unit::degree, To>(y, x,
+                                                                           "atan2_in_degrees");
+}
+
+/// The angle whose sine is x, in degrees, as a To. Outside -1 to 1, see asin().
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To asin_in_degrees(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::angle_unit::degree,
+                                                 detail::triangle_side::sine, To>(
+      x, "asin_in_degrees");
+}
+
+/// The angle whose cosine is x, in degrees, as a To. Outside -1 to 1, see asin().
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To acos_in_degrees(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::angle_unit::degree,
+                                                 detail::triangle_side::cosine, To>(
+      x, "acos_in_degrees");
+}
+
+/// The angle whose tangent is x, in turns, as a To.
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To atan_in_turns(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::angle_of_slope<detail::angle_unit::turn, To>(x, "atan_in_turns");
+}
+
+/// The angle of the vector (x, y), in turns, as a To; 0 if both are 0. The two numbers have one
+/// type.
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To atan2_in_turns(number<Raw, Point, Rules> y,
+                                          number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::angle_of<detail::angle_unit::turn, To>(y, x, "atan2_in_turns");
+}
+
+/// The angle whose sine is x, in turns, as a To. Outside -1 to 1, see asin().
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To asin_in_turns(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::angle_unit::turn,
+                                                 detail::triangle_side::sine, To>(x,
+                                                                                  "asin_in_turns");
+}
+
+/// The angle whose cosine is x, in turns, as a To. Outside -1 to 1, see asin().
+template <class To, class Raw, int Point, policy Rules>
+requires detail::is_plain_number<To>
+[[nodiscard]] constexpr To acos_in_turns(number<Raw, Point, Rules> x) noexcept(To::never_throws) {
+  return detail::FIXED_FUNCTIONS::triangle_angle<detail::angle_unit::turn,
+                                                 detail::triangle_side::cosine, To>(
+      x, "acos_in_turns");
 }
 
 /// \}

@@ -14,7 +14,7 @@
 #include <limits>
 
 #include "fixed/detail/function_kinds.hpp"
-#include "fixed/detail/interval_results.hpp"
+#include "fixed/detail/interval_angle.hpp"
 #include "fixed/detail/limited.hpp"
 #include "fixed/detail/operands.hpp"
 #include "fixed/detail/variant.hpp"

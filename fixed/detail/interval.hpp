@@ -2,8 +2,7 @@
 /// Real numbers with a bound of their error, for the functions in formats of 64 bits.
 ///
 /// Every operation adds the bound of its own error to those of its operands, so the exact result is
-/// in the interval whatever the formula. Digits have 32 bits and products 64, so every compiler and
-/// processor takes the same steps.
+/// in the interval whatever the formula.
 #pragma once
 
 #include <array>
@@ -13,6 +12,7 @@
 #include "fixed/detail/assert.hpp"
 #include "fixed/detail/bits.hpp"
 #include "fixed/detail/interval_constants.hpp"
+#include "fixed/detail/limb_integer.hpp"
 #include "fixed/detail/square_root.hpp"
 #include "fixed/detail/wide_integer.hpp"
 #include "fixed/policy.hpp"
@@ -32,33 +32,35 @@ struct interval_ulps {
 /// than fewest_digits of its digits are known.
 class interval {
  public:
-  static constexpr std::size_t most_digits = 18;
+  static constexpr std::size_t most_digits = limb_integer::most;
   static constexpr std::size_t fewest_digits = 3;
 
   /// magnitude * 2^-places, exactly, with n digits. @pre fewest_digits <= n <= most_digits
   constexpr interval(std::size_t n, bool is_negative, std::uint64_t magnitude, int places) noexcept
-      : size_(n), exponent_(64 - places), is_negative_(is_negative) {
-    digits_[n - 1] = static_cast<std::uint32_t>(magnitude >> 32);
-    digits_[n - 2] = static_cast<std::uint32_t>(magnitude);
+      : limbs_{n}, exponent_(64 - places), is_negative_(is_negative) {
+    limbs_.digits[n - 1] = static_cast<std::uint32_t>(magnitude >> 32);
+    limbs_.digits[n - 2] = static_cast<std::uint32_t>(magnitude);
     normalize();
   }
 
   /// A constant with n digits.
   constexpr interval(std::size_t n, const real_constant& from) noexcept
-      : size_(n), radius_(1), exponent_(from.exponent), is_negative_(from.is_negative) {
-    for (std::size_t i = 0; i < n; ++i) digits_[i] = from.limbs[most_digits - n + i];
+      : limbs_{n}, radius_(1), exponent_(from.exponent), is_negative_(from.is_negative) {
+    for (std::size_t i = 0; i < n; ++i) limbs_.digits[i] = from.limbs[most_digits - n + i];
   }
 
   /// Whether the number is exactly 0.
-  [[nodiscard]] constexpr bool is_zero() const noexcept { return radius_ == 0 && !has_first_bit(); }
+  [[nodiscard]] constexpr bool is_zero() const noexcept { return radius_ == 0 && !is_normal(); }
   [[nodiscard]] constexpr bool is_negative() const noexcept { return is_negative_; }
-  [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return limbs_.size; }
   /// The magnitude of every number in the interval is below 2^(exponent + 1).
   [[nodiscard]] constexpr int exponent() const noexcept { return exponent_; }
   /// The magnitude of every number in the interval is at least 2^(exponent - 2).
-  [[nodiscard]] constexpr bool is_normal() const noexcept { return has_first_bit(); }
+  [[nodiscard]] constexpr bool is_normal() const noexcept { return limbs_.has_first_bit(); }
   /// The first 32 bits of the magnitude, in units of 2^(exponent - 32).
-  [[nodiscard]] constexpr std::uint32_t first_digit() const noexcept { return digits_[size_ - 1]; }
+  [[nodiscard]] constexpr std::uint32_t first_digit() const noexcept {
+    return limbs_.digits[size() - 1];
+  }
 
   [[nodiscard]] constexpr interval magnitude() const noexcept {
     interval result = *this;
@@ -99,28 +101,11 @@ class interval {
   friend constexpr interval operator*(const interval& a, const interval& b) noexcept {
     if (a.is_zero()) return a;
     if (b.is_zero()) return b;
-    if (a.size_ > b.size_) return a.without_last(a.size_ - b.size_) * b;
-    if (a.size_ < b.size_) return a * b.without_last(b.size_ - a.size_);
-    const std::size_t n = a.size_;
-    interval result = a;
-    result.exponent_ += b.exponent_;
-    result.is_negative_ = a.is_negative_ != b.is_negative_;
-    // The product of the integers is below 2^(64 n); its lower half is dropped, and of that the
-    // columns before the last two are not summed. These are at most n 2^(32 (n - 1)), so both
-    // errors together are below 2 units of 2^(32 n), the radii not counted.
-    std::array<std::uint32_t, 2 * most_digits> product{};
-    for (std::size_t i = 0; i < n; ++i) {
-      std::uint64_t carry = 0;
-      const std::size_t first = i + 2 < n ? n - 2 - i : 0;
-      const std::uint64_t digit = a.digits_[i];
-      for (std::size_t k = first; k < n; ++k) {
-        carry += digit * b.digits_[k] + product[i + k];
-        product[i + k] = static_cast<std::uint32_t>(carry);
-        carry >>= 32;
-      }
-      product[i + n] = static_cast<std::uint32_t>(carry);
-    }
-    for (std::size_t i = 0; i < n; ++i) result.digits_[i] = product[n + i];
+    if (a.size() > b.size()) return a.without_last(a.size() - b.size()) * b;
+    if (a.size() < b.size()) return a * b.without_last(b.size() - a.size());
+    interval result(upper_product(a.limbs_, b.limbs_), a.exponent_ + b.exponent_,
+                    a.is_negative_ != b.is_negative_);
+    // Both errors of the product of the integers are below 2 units, the radii not counted.
     // M and M' are below 2^(32 n), so M radius' and M' radius are below that many units; the
     // product of the radii is below one.
     result.radius_ = a.radius_ + b.radius_ + 3;
@@ -131,12 +116,7 @@ class interval {
   /// @pre n > 0
   friend constexpr interval operator/(const interval& a, std::uint32_t n) noexcept {
     interval result = a;
-    std::uint64_t rest = 0;
-    for (std::size_t i = a.size_; i-- > 0;) {
-      rest = rest << 32 | a.digits_[i];
-      result.digits_[i] = static_cast<std::uint32_t>(rest / n);
-      rest %= n;
-    }
+    const std::uint32_t rest = result.limbs_.divide(n);
     if (rest != 0 || a.radius_ != 0) result.radius_ = a.radius_ / n + 2;
     result.normalize();
     return result;
@@ -144,14 +124,12 @@ class interval {
 
   /// The quotient; any number if the first bit of b is not known.
   friend constexpr interval operator/(const interval& a, const interval& b) noexcept {
-    if (!b.is_normal()) return unknown(a.size_);
+    if (!b.is_normal()) return unknown(a.size());
     if (a.is_zero()) return a;
-    if (a.size_ > b.size_) return a.without_last(a.size_ - b.size_) / b;
-    if (a.size_ < b.size_) return a / b.without_last(b.size_ - a.size_);
-    interval result = a;
-    result.exponent_ = a.exponent_ - b.exponent_ + 1;
-    result.is_negative_ = a.is_negative_ != b.is_negative_;
-    result.divide(b);
+    if (a.size() > b.size()) return a.without_last(a.size() - b.size()) / b;
+    if (a.size() < b.size()) return a / b.without_last(b.size() - a.size());
+    interval result(upper_quotient(a.limbs_, b.limbs_), a.exponent_ - b.exponent_ + 1,
+                    a.is_negative_ != b.is_negative_);
     // Let N = 2^(32 n - 1). The quotient is M N / M' with M < 2 N <= 2 M'. So an error of M shifts
     // it by at most that, and one of M' by at most twice that.
     result.radius_ = a.radius_ + 2 * b.radius_ + 3;
@@ -162,20 +140,19 @@ class interval {
   /// The square root of a magnitude; any number if the first bit is not known.
   [[nodiscard]] friend constexpr interval sqrt(const interval& x) noexcept {
     if (x.is_zero()) return x;
-    if (!x.is_normal()) return unknown(x.size_);
+    if (!x.is_normal()) return unknown(x.size());
     // The number is m 4^half with 1/4 <= m < 1.
     const bool is_odd = (x.exponent_ & 1) != 0;
     const int half = (x.exponent_ + (is_odd ? 1 : 0)) / 2;
     interval m = x.scaled(-2 * half);
     m.is_negative_ = false;
     m.radius_ = 0;
-    const std::uint64_t top =
-        (std::uint64_t{m.digits_[m.size_ - 1]} << 32 | m.digits_[m.size_ - 2]) >> (is_odd ? 1 : 0);
-    interval root(m.size_, false, static_cast<std::uint64_t>(nearest_sqrt_of_word(top)), 32);
+    const std::uint64_t top = m.limbs_.top() >> (is_odd ? 1 : 0);
+    interval root(m.size(), false, static_cast<std::uint64_t>(nearest_sqrt_of_word(top)), 32);
     // Of relative errors, that of the first root is below 2^-30, and each step squares and halves
     // the one before. The errors of the last step are 3 units for the quotient, 1 for the sum, and
     // 1 for normalizing each.
-    for (std::size_t bits = 30; bits < 32 * x.size_; bits = 2 * bits + 1) {
+    for (std::size_t bits = 30; bits < 32 * x.size(); bits = 2 * bits + 1) {
       root = (root + m / root).scaled(-1);
       root.radius_ = 0;
     }
@@ -189,9 +166,8 @@ class interval {
   [[nodiscard]] constexpr std::uint64_t nearest_integer() const noexcept {
     FIXED_ASSERT(exponent_ <= 64);
     if (exponent_ < 0) return 0;
-    const std::uint64_t top = std::uint64_t{digits_[size_ - 1]} << 32 | digits_[size_ - 2];
-    if (exponent_ == 64) return top + (digits_[size_ - 3] >> 31);
-    const std::uint64_t halves = top >> (63 - exponent_);
+    if (exponent_ == 64) return limbs_.top() + (limbs_.digits[size() - 3] >> 31);
+    const std::uint64_t halves = limbs_.top() >> (63 - exponent_);
     return (halves >> 1) + (halves & 1);
   }
 
@@ -203,7 +179,7 @@ class interval {
     constexpr int beyond = 66;
     if (whole >= beyond) return {is_normal(), signed_ulps(int128{1} << beyond)};
     // M counts 2^-dropped half ulps.
-    const int dropped = 32 * static_cast<int>(size_) - 1 - whole;
+    const int dropped = 32 * static_cast<int>(size()) - 1 - whole;
     const int128 low = halves_above(dropped, true);
     const int128 high = halves_above(dropped, false);
     const int128 ulps = (high + int128{1}) >> 1;
@@ -216,7 +192,7 @@ class interval {
   [[nodiscard]] constexpr interval_ulps directed_ulps(int fraction_bits) const noexcept {
     const int whole = exponent_ + fraction_bits;
     if (whole >= 66) return nearest_ulps(fraction_bits);
-    const int dropped = 32 * static_cast<int>(size_) - whole;
+    const int dropped = 32 * static_cast<int>(size()) - whole;
     // No end of the wider interval is an end of this one, which so has no integer at its ends.
     const interval wider = widened();
     const int128 low = wider.halves_above(dropped, true);
@@ -226,9 +202,8 @@ class interval {
   }
 
  private:
-  [[nodiscard]] constexpr bool has_first_bit() const noexcept {
-    return digits_[size_ - 1] >> 31 != 0;
-  }
+  constexpr interval(const limb_integer& limbs, int exponent, bool is_negative) noexcept
+      : limbs_(limbs), exponent_(exponent), is_negative_(is_negative) {}
 
   [[nodiscard]] constexpr int128 signed_ulps(const int128& magnitude) const noexcept {
     return is_negative_ ? -magnitude : magnitude;
@@ -248,8 +223,8 @@ class interval {
     std::array<std::uint32_t, most_digits + 1> end{};
     std::int64_t carry = 0;
     std::uint64_t rest = radius_;
-    for (std::size_t i = 0; i <= size_; ++i) {
-      const std::int64_t digit = i < size_ ? std::int64_t{digits_[i]} : 0;
+    for (std::size_t i = 0; i <= size(); ++i) {
+      const std::int64_t digit = i < size() ? std::int64_t{limbs_.digits[i]} : 0;
       const auto part = static_cast<std::int64_t>(rest & 0xffffffff);
       rest >>= 32;
       carry += is_low ? digit - part : digit + part;
@@ -259,11 +234,11 @@ class interval {
     if (carry < 0) return int128{0};
     const auto whole = static_cast<std::size_t>(places) / 32;
     int128 result{0};
-    for (std::size_t i = size_ + 1; i-- > whole;) result = (result << 32) + int128{end[i]};
+    for (std::size_t i = size() + 1; i-- > whole;) result = (result << 32) + int128{end[i]};
     return result >> (places % 32);
   }
 
-  /// The number without its last digits. @pre count < size_
+  /// The number without its last digits. @pre count < size()
   [[nodiscard]] constexpr interval without_last(std::size_t count) const noexcept {
     interval result = *this;
     result.drop_last(count);
@@ -271,11 +246,13 @@ class interval {
   }
 
   constexpr void drop_last(std::size_t count) noexcept {
-    std::uint32_t dropped = 0;
-    for (std::size_t i = 0; i < count; ++i) dropped |= digits_[i];
-    size_ -= count;
-    for (std::size_t i = 0; i < size_; ++i) digits_[i] = digits_[i + count];
-    drop_from_radius(32 * static_cast<int>(count), dropped != 0);
+    drop_from_radius(32 * static_cast<int>(count), limbs_.drop_last(count));
+  }
+
+  /// Drops `places` bits. @pre places > 0
+  constexpr void shift_right(int places) noexcept {
+    exponent_ += places;
+    drop_from_radius(places, limbs_.shift_right(places));
   }
 
   /// Counts the radius in units that are 2^places times as large.
@@ -288,106 +265,69 @@ class interval {
   constexpr void normalize() noexcept {
     // So sums of a few radii fit.
     if (radius_ >> 56 != 0) {
-      if (size_ > fewest_digits) {
+      if (size() > fewest_digits) {
         drop_last(1);
       } else {
         shift_right(32);
       }
     }
-    std::size_t zeros = 0;
-    while (zeros < size_ && digits_[size_ - 1 - zeros] == 0) ++zeros;
-    if (zeros == size_ && radius_ == 0) {
+    int places = limbs_.zero_bits();
+    if (places == 0) return;
+    if (radius_ == 0 && places == 32 * static_cast<int>(size())) {
       exponent_ = 0;
       return;
     }
-    int places = 32 * static_cast<int>(zeros);
-    if (zeros < size_) places += leading_zeros(digits_[size_ - 1 - zeros]);
-    if (places == 0) return;
     // The radius stays below 2^48.
     const int room = radius_ == 0 ? places : leading_zeros(radius_) - 16;
     int lost = places <= room ? 0 : (places - room + 31) / 32;
-    if (static_cast<int>(size_) - lost < static_cast<int>(fewest_digits)) {
+    if (static_cast<int>(size()) - lost < static_cast<int>(fewest_digits)) {
       // Too little is known: the first digits, which are 0, are left out.
-      const std::size_t most = size_ - fewest_digits;
+      const std::size_t most = size() - fewest_digits;
+      const std::size_t zeros = limbs_.zero_digits();
       const std::size_t left_out = zeros < most ? zeros : most;
-      size_ -= left_out;
+      limbs_.size -= left_out;
       exponent_ -= 32 * static_cast<int>(left_out);
       places -= 32 * static_cast<int>(left_out);
       if (places > room) places = room;
       lost = 0;
       if (places <= 0) return;
     }
-    shift_left(places);
+    limbs_.shift_left(places);
     exponent_ -= places;
     if (lost == 0) {
       radius_ <<= radius_ == 0 ? 0 : places;
       return;
     }
-    size_ -= static_cast<std::size_t>(lost);
-    for (std::size_t i = 0; i < size_; ++i) {
-      digits_[i] = digits_[i + static_cast<std::size_t>(lost)];
-    }
+    limbs_.drop_last(static_cast<std::size_t>(lost));
     const int more = places - 32 * lost;
     radius_ = (more >= 0 ? radius_ << more : (radius_ >> -more) + 1) + 1;
-  }
-
-  /// @pre 0 < places < 32 size_
-  constexpr void shift_left(int places) noexcept {
-    const auto whole = static_cast<std::size_t>(places) / 32;
-    const int rest = places % 32;
-    for (std::size_t i = size_; i-- > 0;) {
-      const std::uint64_t upper = i >= whole ? digits_[i - whole] : 0;
-      const std::uint64_t lower = i >= whole + 1 ? digits_[i - whole - 1] : 0;
-      digits_[i] = static_cast<std::uint32_t>((upper << 32 | lower) << rest >> 32);
-    }
-  }
-
-  /// Drops `places` bits. @pre places > 0
-  constexpr void shift_right(int places) noexcept {
-    const auto whole = static_cast<std::size_t>(places) / 32;
-    const int rest = places % 32;
-    const auto at = [&](std::size_t i) { return i < size_ ? std::uint64_t{digits_[i]} : 0; };
-    std::uint64_t dropped = at(whole) << (32 - rest) & 0xffffffff;
-    for (std::size_t i = 0; i < whole && i < size_; ++i) dropped |= digits_[i];
-    for (std::size_t i = 0; i < size_; ++i) {
-      digits_[i] = static_cast<std::uint32_t>((at(i + whole + 1) << 32 | at(i + whole)) >> rest);
-    }
-    exponent_ += places;
-    drop_from_radius(places, dropped != 0);
   }
 
   /// @pre a.exponent_ >= b.exponent_
   static constexpr interval sum_of(const interval& a, const interval& b) noexcept {
     // In units of the last digit of a, the radius of b has `places` bits less, or more.
-    const int more = 32 * (static_cast<int>(a.size_) - static_cast<int>(b.size_));
+    const int more = 32 * (static_cast<int>(a.size()) - static_cast<int>(b.size()));
     const int places = a.exponent_ - b.exponent_ - more;
     if (places < 0 && b.radius_ != 0 && leading_zeros(b.radius_) - 8 < -places) {
       return sum_of(a.without_last(1), b);
     }
     interval addend = b;
     addend.radius_ = 0;
-    addend.take_size(a.size_);
+    addend.take_size(a.size());
     if (places != -more) addend.shift_right(places + more);
     interval result = a;
-    const std::size_t n = a.size_;
     result.radius_ += addend.radius_;
     if (b.radius_ != 0) {
       result.radius_ +=
           places < 0 ? b.radius_ << -places : (places < 64 ? b.radius_ >> places : 0) + 1;
     }
-    std::int64_t carry = 0;
-    const bool is_sum = a.is_negative_ == b.is_negative_;
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::int64_t digit = addend.digits_[i];
-      carry += std::int64_t{a.digits_[i]} + (is_sum ? digit : -digit);
-      result.digits_[i] = static_cast<std::uint32_t>(carry);
-      carry >>= 32;
-    }
+    const int carry = result.limbs_.add(addend.limbs_, a.is_negative_ == b.is_negative_);
     if (carry > 0) {
       result.shift_right(1);
-      result.digits_[n - 1] |= std::uint32_t{1} << 31;
+      result.limbs_.digits[a.size() - 1] |= std::uint32_t{1} << 31;
     } else if (carry < 0) {
-      result.negate_digits();
+      result.limbs_.negate();
+      result.is_negative_ = !result.is_negative_;
     }
     result.normalize();
     return result;
@@ -395,71 +335,14 @@ class interval {
 
   /// Appends zeros, or drops digits.
   constexpr void take_size(std::size_t n) noexcept {
-    if (n < size_) return drop_last(size_ - n);
-    const std::size_t count = n - size_;
-    for (std::size_t i = n; i-- > count;) digits_[i] = digits_[i - count];
-    for (std::size_t i = 0; i < count; ++i) digits_[i] = 0;
-    size_ = n;
-  }
-
-  /// Makes a negative difference a magnitude.
-  constexpr void negate_digits() noexcept {
-    std::uint64_t carry = 1;
-    for (std::size_t i = 0; i < size_; ++i) {
-      carry += ~digits_[i];
-      digits_[i] = static_cast<std::uint32_t>(carry);
-      carry >>= 32;
-    }
-    is_negative_ = !is_negative_;
-  }
-
-  /// M 2^(32 n - 1) / M', rounded down, by Knuth's algorithm D. @pre the first bit of b is 1
-  constexpr void divide(const interval& b) noexcept {
-    const std::size_t n = size_;
-    std::array<std::uint32_t, 2 * most_digits + 1> rest{};
-    for (std::size_t i = 0; i <= n; ++i) {
-      const std::uint64_t upper = i < n ? digits_[i] : 0;
-      const std::uint64_t lower = i > 0 ? digits_[i - 1] : 0;
-      rest[n - 1 + i] = static_cast<std::uint32_t>((upper << 32 | lower) >> 1);
-    }
-    const std::uint64_t first = b.digits_[n - 1];
-    const std::uint64_t second = b.digits_[n - 2];
-    for (std::size_t k = n; k-- > 0;) {
-      const std::uint64_t top = std::uint64_t{rest[k + n]} << 32 | rest[k + n - 1];
-      std::uint64_t digit = top / first;
-      std::uint64_t over = top % first;
-      while (digit >> 32 != 0 || digit * second > (over << 32 | rest[k + n - 2])) {
-        --digit;
-        over += first;
-        if (over >> 32 != 0) break;
-      }
-      std::uint64_t carry = 0;
-      std::int64_t borrow = 0;
-      for (std::size_t i = 0; i < n; ++i) {
-        carry += digit * b.digits_[i];
-        borrow += std::int64_t{rest[k + i]} - static_cast<std::int64_t>(carry & 0xffffffff);
-        rest[k + i] = static_cast<std::uint32_t>(borrow);
-        carry >>= 32;
-        borrow >>= 32;
-      }
-      borrow += std::int64_t{rest[k + n]} - static_cast<std::int64_t>(carry);
-      rest[k + n] = static_cast<std::uint32_t>(borrow);
-      if (borrow < 0) {
-        --digit;
-        carry = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-          carry += std::uint64_t{rest[k + i]} + b.digits_[i];
-          rest[k + i] = static_cast<std::uint32_t>(carry);
-          carry >>= 32;
-        }
-        rest[k + n] = 0;
-      }
-      digits_[k] = static_cast<std::uint32_t>(digit);
+    if (n < size()) {
+      drop_last(size() - n);
+    } else {
+      limbs_.append_zeros(n - size());
     }
   }
 
-  std::size_t size_;
-  std::array<std::uint32_t, most_digits> digits_{};
+  limb_integer limbs_;
   std::uint64_t radius_ = 0;
   int exponent_;
   bool is_negative_;

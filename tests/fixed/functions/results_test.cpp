@@ -1,6 +1,7 @@
 /// Compares the functions whose result has a format of its own with MPFR, in 300 digits, for each
 /// pair of formats.
 #include <boost/multiprecision/mpfr.hpp>
+#include <cstdlib>
 #include <exception>
 #include <limits>
 #include <string>
@@ -44,14 +45,26 @@ using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_bac
   X(log10)           \
   X(atan)            \
   X(asin)            \
-  X(acos)
+  X(acos)            \
+  X(exp10)           \
+  X(asinh)           \
+  X(acosh)           \
+  X(atanh)           \
+  X(atan_in_degrees) \
+  X(asin_in_degrees) \
+  X(acos_in_degrees) \
+  X(atan_in_turns)   \
+  X(asin_in_turns)   \
+  X(acos_in_turns)
+
+#define FUNCTIONS_OF_TWO(X) X(atan2) X(atan2_in_degrees) X(atan2_in_turns)
 
 struct Name {
   Function function;
   const char* name;
 };
 #define NAME(name) Name{Function::name, #name "<To>"},
-constexpr std::array names{FUNCTIONS(NAME) Name{Function::atan2, "atan2<To>"}};
+constexpr std::array names{FUNCTIONS(NAME) FUNCTIONS_OF_TWO(NAME)};
 #undef NAME
 
 template <class To, class From>
@@ -61,12 +74,17 @@ std::int64_t call(Function function, std::int64_t x_raw, std::int64_t y_raw) {
 #define CASE(name)     \
   case Function::name: \
     return fixproof::name<To>(x).raw();
+#define CASE_OF_TWO(name) \
+  case Function::name:    \
+    return fixproof::name<To>(x, y).raw();
   switch (function) {
     FUNCTIONS(CASE)
+    FUNCTIONS_OF_TWO(CASE_OF_TWO)
     default:
-      return atan2<To>(x, y).raw();
+      std::abort();
   }
 #undef CASE
+#undef CASE_OF_TWO
 }
 
 /// A format at run time.
@@ -115,6 +133,12 @@ std::int64_t outside(const Format& to, Function function) {
       return to.lowest();
     case Function::asin:
     case Function::acos:
+    case Function::acosh:
+    case Function::atanh:
+    case Function::asin_in_degrees:
+    case Function::acos_in_degrees:
+    case Function::asin_in_turns:
+    case Function::acos_in_turns:
       return 0;
     default:
       return to.highest();
@@ -158,7 +182,7 @@ void expect_equal(const Calls& calls, std::mt19937_64& random) {
     const std::int64_t x = word(i);
     const std::int64_t y = word(i + 3);
     for (const auto& [function, name] : names) {
-      // Of atan2(y, x), the first operand is y.
+      // Of atan2(y, x) and its like, the first operand is y.
       ASSERT_EQ(calls.call(function, x, y), expected(calls, function, x, y))
           << name << " of " << x << ' ' << y << " with " << from.fraction_bits
           << " fraction bits, to " << calls.to.fraction_bits << " of " << calls.to.bits;
