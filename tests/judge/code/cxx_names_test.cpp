@@ -65,6 +65,7 @@ TEST(CxxNames, WhatAUserMayWrite) {
   EXPECT_TRUE(is_meant("fx::mul", "fx::mul(fx) const"));
   EXPECT_TRUE(is_meant("operator*", "operator*(fx, fx)"));
   EXPECT_TRUE(is_meant("f", "std::pair<int, int> f<void (*)(int)>(void (*)(int))"));
+  EXPECT_TRUE(is_meant("h<int>", "int h<int>(int)"));
   EXPECT_TRUE(is_meant("fx<4>::mul", "fx<4>::mul(fx<4>, fx<(char)5>)"));
   EXPECT_FALSE(is_meant("f", "n::f(int)"));
   EXPECT_FALSE(is_meant("f", "f2(int)"));
