@@ -38,9 +38,8 @@ inline constexpr std::int64_t angle_error = 700;
 /// 2/3 - y^2 (2/5 - ...) / 4096. In units of 2^-90:
 /// - z is less than 1 too low, and the table is 1/2 off.
 /// - y has 64 bits, so z y^2 S / 8192, which is below 2^-19.58, is up to 85 too low.
-/// - y^2 is up to 3 units of 2^-64 too low, the product with S 1 more, and S up to 1/2 unit too
-/// high
-///   or 1 1/2 too low: together less than 3 1/2 units too low or 1 1/2 too high. A unit counts 128.
+/// - y^2 is up to 3 units of 2^-64 too low, its product with S 1 more, and S 1 1/2 units too low or
+///   1/2 too high. Together: less than 3 1/2 units too low or 1 1/2 too high. A unit counts 128.
 /// - the last product is less than 128 too low.
 /// The terms after z^13 are below 2^-93.
 constexpr long_angle long_arctangent(std::uint64_t n, std::uint64_t d) noexcept {

@@ -44,8 +44,8 @@ struct result_bits {
 }  // namespace of_result
 using of_result::result_bits;
 
-/// Whether 64 bits decide every operand of the functions of one number: 16.16 and all formats of at
-/// most 16 bits with a fraction. `CompactWords.*` tries all operands.
+/// Whether 64 bits decide every operand of the functions of one number: in 16.16, and in all
+/// formats of at most 16 bits with a fraction. `ManyCompactWords.*` try all operands.
 template <class Bits>
 inline constexpr bool is_tried = false;
 template <class Number>
