@@ -16,6 +16,7 @@
 #include "fixed/detail/exponential.hpp"
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/function_tables.hpp"
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/hyperbolic.hpp"
 #include "fixed/detail/rounding.hpp"
 
@@ -60,7 +61,7 @@ constexpr std::int64_t exponential_ulps(std::int64_t x, int fraction_bits, round
 }
 
 /// The reciprocals of exponential.hpp less 2^31, so that they fit into 32 bits.
-inline constexpr std::array<std::uint32_t, 64> short_reciprocals = [] {
+FIXED_CONSTANT std::array<std::uint32_t, 64> short_reciprocals = [] {
   std::array<std::uint32_t, 64> all{};
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i] = static_cast<std::uint32_t>(reciprocals[i] - (std::uint64_t{1} << 31));

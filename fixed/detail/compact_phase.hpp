@@ -15,6 +15,7 @@
 #include "fixed/detail/digit_phase.hpp"
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/function_tables.hpp"
+#include "fixed/detail/gpu.hpp"
 #include "fixed/detail/phase.hpp"
 #include "fixed/detail/rounding.hpp"
 
@@ -23,10 +24,10 @@ namespace fixproof::detail::in_compact_words {
 /// A radian and a degree in units of 2^-128 of a turn, rounded down, the lowest word first. Both
 /// are below 2^-2 of a turn.
 using turns = std::array<std::uint32_t, 4>;
-inline constexpr turns turns_of_radian{
+FIXED_CONSTANT turns turns_of_radian{
     static_cast<std::uint32_t>(turns_low), static_cast<std::uint32_t>(turns_low >> 32),
     static_cast<std::uint32_t>(turns_high), static_cast<std::uint32_t>(turns_high >> 32)};
-inline constexpr turns turns_of_degree{0x60b60b60, 0x0b60b60b, 0xb60b60b6, 0x00b60b60};
+FIXED_CONSTANT turns turns_of_degree{0x60b60b60, 0x0b60b60b, 0xb60b60b6, 0x00b60b60};
 
 /// An angle in units of 2^-64 of a turn, modulo a turn; rounded toward 0, after an error of `unit`
 /// times the angle, which is below 2^-32 units. So the error is at most 1 + 2^-32 units, as that of

@@ -267,10 +267,10 @@ FIXED_CONSTANT std::array<std::uint64_t, 4> arctangent_coefficients{0x1555555555
 FIXED_CONSTANT std::uint64_t pi_58 = 0xc90fdaa22168c23;
 
 /// What pi_58 lacks in units of 2^-90, to nearest.
-inline constexpr std::int32_t pi_rest = 0x4c4c6629;
+FIXED_CONSTANT std::int32_t pi_rest = 0x4c4c6629;
 
 /// What the arctangents of i/64 lack in units of 2^-90, to nearest.
-inline constexpr std::array<std::int32_t, 64> arctangent_rests{
+FIXED_CONSTANT std::array<std::int32_t, 64> arctangent_rests{
     0x0,         0x5bbe78c5,  -0x57b10c51, -0xc377c7c,  -0x724d361b, -0x53b31d7a, 0x3049ab3f,
     -0x8470d66,  0x19644bcc,  0x25bd3759,  -0x3cb89e63, -0x54ab2c0,  0x347b0b50,  -0x184ff0c2,
     0x22f621a6,  -0x736e5d59, 0x156dc79f,  -0x746e31bd, 0x61948e91,  -0x1df374db, -0x2c74a897,
@@ -283,7 +283,7 @@ inline constexpr std::array<std::int32_t, 64> arctangent_rests{
     0x4f9f553f};
 
 /// Coefficient n is 2 / ((2n + 3) 4096^(n - 1)) in units of 2^-64, to nearest, for n from 1.
-inline constexpr std::array<std::uint64_t, 5> long_arctangent_coefficients{
+FIXED_CONSTANT std::array<std::uint64_t, 5> long_arctangent_coefficients{
     0x6666666666666666, 0x4924924924925, 0x38e38e38e4, 0x2e8ba2f, 0x2762};
 
 /// Pi in units of 2^-184, to nearest.

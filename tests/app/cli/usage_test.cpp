@@ -186,7 +186,8 @@ TEST(Usage, HelpHasEachCommandUnderOneQuestion) {
             "Judge your own code: gen check judge desync"
             "Verify FIXED.ASM and the number type: verify merge prove mutate step"
             "Look inside: eval trace list dos"
-            "Scenes and what they cost: render measure drift profile advise report");
+            "Scenes and what they cost: render measure drift profile advise report"
+            "Your shell: completion manual");
 }
 
 TEST(Usage, OutputThatCannotBeWritten) {
