@@ -62,8 +62,8 @@ FIXED_NOINLINE constexpr std::uint64_t series_of(const std::uint64_t* coefficien
   return product;
 }
 
-/// floor(rest * 2^bits / divisor), of which `rest` keeps the remainder. For a ratio of 1, all bits
-/// are ones, and the divisor remains. @pre rest <= divisor, rest < 2^63, divisor <= 2^63 and
+/// floor(rest * 2^bits / divisor). The remainder is left in `rest`. For a ratio of 1, all bits of
+/// the quotient are 1, and the divisor is left. @pre rest <= divisor, rest < 2^63, divisor <= 2^63 and
 /// 0 < bits <= 32
 FIXED_NOINLINE constexpr std::uint32_t take_quotient(std::uint64_t& rest, std::uint64_t divisor,
                                                      int bits) noexcept {
@@ -87,7 +87,7 @@ FIXED_NOINLINE constexpr std::uint32_t take_quotient(std::uint64_t& rest, std::u
   return quotient;
 }
 
-/// The integer below sqrt(n), of which `n` keeps what the square lacks: at most twice the root.
+/// floor(sqrt(n)). Leaves n less the square of that in `n`: at most twice the root.
 FIXED_NOINLINE constexpr std::uint32_t take_root(std::uint64_t& n) noexcept {
   std::uint64_t rest = n;
   std::uint64_t root = 0;

@@ -26,7 +26,7 @@ using int128 = wide_integer<2>;
 constexpr int larger(int a, int b) noexcept { return a < b ? b : a; }
 constexpr int largest(int a, int b, int c) noexcept { return larger(a, larger(b, c)); }
 
-/// The order of two values, of which the first may be less or greater. nvcc does not put the
+/// The order of two values, from whether the first is less or greater. nvcc does not put the
 /// objects of std::strong_ordering into the memory of a GPU; without them, g++ takes half as long
 /// again.
 constexpr std::strong_ordering ordering(bool less, bool greater) noexcept {

@@ -92,7 +92,7 @@ std::vector<std::string> as_in_source(const std::vector<std::string>& names) {
 
 bool is_meant(std::string_view wanted, std::string_view in_source) {
   std::string text(in_source);
-  // The file of a source has these functions for itself, and nobody writes the name.
+  // Functions in an unnamed namespace: in the source, their names do not have this part.
   constexpr std::string_view unnamed = "(anonymous namespace)::";
   for (std::size_t at = 0; (at = text.find(unnamed)) != std::string::npos;) {
     text.erase(at, unnamed.size());
