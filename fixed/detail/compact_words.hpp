@@ -63,8 +63,8 @@ FIXED_NOINLINE constexpr std::uint64_t series_of(const std::uint64_t* coefficien
 }
 
 /// floor(rest * 2^bits / divisor). The remainder is left in `rest`. For a ratio of 1, all bits of
-/// the quotient are 1, and the divisor is left. @pre rest <= divisor, rest < 2^63, divisor <= 2^63 and
-/// 0 < bits <= 32
+/// the quotient are 1, and the divisor is left. @pre rest <= divisor, rest < 2^63,
+/// divisor <= 2^63 and 0 < bits <= 32
 FIXED_NOINLINE constexpr std::uint32_t take_quotient(std::uint64_t& rest, std::uint64_t divisor,
                                                      int bits) noexcept {
   FIXED_ASSERT(rest <= divisor && rest >> 63 == 0 && (divisor - 1) >> 63 == 0);
