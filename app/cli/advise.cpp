@@ -8,15 +8,14 @@
 #include "app/cli/advice_text.hpp"
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/json/result_file.hpp"
 #include "app/cli/options.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/cli/surface_options.hpp"
-#include "measure/player/outputs.hpp"
 #include "measure/trade/advice/advice.hpp"
 #include "measure/trade/drift/run.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
-#include "support/output_file.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "xsharp/files/scene_json.hpp"
@@ -34,7 +33,7 @@ struct AdviseOptions {
   bool host = false;
   bool repaired = false;
   bool formats = false;
-  std::string json;
+  ResultFile result;
 };
 
 constexpr double max_pixels = 10'000;
@@ -96,13 +95,12 @@ std::string heading(const trade::AdviceReport& report) {
 int stopped(std::uint64_t frames, std::uint64_t wanted, const AdviseOptions& options) {
   std::cout << fmt::format("STOPPED after {} of {} frames: no advice is given{}\n",
                            support::grouped(frames), support::grouped(wanted),
-                           options.json.empty() ? "" : "; no JSON is written");
+                           options.result.loss_text());
   return support::interrupted_status;
 }
 
-/// @param json where to write the report; null for nowhere
 int advise_formats(const xsharp::Scene& scene, double budget, std::uint64_t frames,
-                   const AdviseOptions& options, support::OutputFile* json) {
+                   AdviseOptions& options) {
   trade::FormatReport report{
       .scene = scene.name, .frames = frames, .budget = budget, .tried = {}, .costs = {}};
   const support::Interrupt interrupt;
@@ -124,19 +122,18 @@ int advise_formats(const xsharp::Scene& scene, double budget, std::uint64_t fram
       scene_line(report.scene, report.frames, report.budget), table_of(report));
   if (stop) return stopped(report.frames, frames, options);
   std::cout << sentences_of(report);
-  if (json != nullptr) json->replace(support::json_text(report));
-  return take ? 0 : 1;
+  return options.result.write(take ? 0 : 1, [&] { return support::Json(report); });
 }
 
-int advise_on(const AdviseOptions& options) {
+int advise_on(AdviseOptions& options) {
   const double budget = pixels_of(options.budget);
   xsharp::Scene scene = xsharp::read_scene(options.scene);
   options.surfaces.apply(scene);
   if (options.repaired) scene.arithmetic.repaired = true;
   require_objects(scene);
-  const auto json = player::open_output("--json", options.json, scene.files);
+  options.result.open(scene.files, "the scene");
   const std::uint64_t wanted = options.minutes * 60 * trade::advised_rate;
-  if (options.formats) return advise_formats(scene, budget, wanted, options, json.get());
+  if (options.formats) return advise_formats(scene, budget, wanted, options);
 
   trade::AdviceReport report{
       .scene = scene.name, .budget = budget, .repaired = scene.arithmetic.repaired};
@@ -175,8 +172,7 @@ int advise_on(const AdviseOptions& options) {
     if (frames < wanted) return stopped(frames, wanted, options);
   }
   std::cout << sentences_of(report);
-  if (json) json->replace(support::json_text(report));
-  return advice.take ? 0 : 1;
+  return options.result.write(advice.take ? 0 : 1, [&] { return support::Json(report); });
 }
 
 }  // namespace
@@ -218,10 +214,7 @@ void add_advise(CLI::App& app, int& status) {
       ->excludes(command->get_option("--cpu"))
       ->excludes(command->get_option("--host"))
       ->excludes(command->get_option("--repaired"));
-  command
-      ->add_option("--json", options->json,
-                   "write the results to this file as JSON; - is standard output")
-      ->transform(output_file());
+  options->result.add_to(*command);
   command->footer(
       R"(Tries every routine that the processor can run, with and without rounding of multiplies and of
 divides. Orientations are computed from scratch, or by appending rotations and restoring

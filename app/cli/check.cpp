@@ -13,9 +13,10 @@
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/case_options.hpp"
-#include "app/cli/check_json.hpp"
 #include "app/cli/check_rules.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/json/check_json.hpp"
+#include "app/cli/json/result_file.hpp"
 #include "app/cli/option_names.hpp"
 #include "app/cli/port_option.hpp"
 #include "judge/check/cases.hpp"
@@ -230,19 +231,19 @@ int check(const CLI::App& command, const CheckOptions& options) {
                         cases->count() ? " of " + support::grouped(*cases->count()) : "");
   }
   if (options.json != "-") std::cout << text;
+  const int status = !judge.is_right() ? 1 : stopped ? support::interrupted_status : 0;
   if (!options.json.empty() && judge.cases() > 0 && failure.empty()) {
-    const std::string document = support::json_text(check_json(judge, text, !stopped));
+    const std::string document =
+        support::json_text(result_json("check", status, check_json(judge, text, !stopped)));
     json ? json->replace(document) : void(std::cout << document);
   }
-  if (stopped) {
-    return judge.is_right() ? support::interrupted_status : 1;
-  }
+  if (stopped) return status;
   if (!failure.empty()) throw support::UsageError(failure);
   if (judge.cases() == 0) {
     throw support::UsageError(
         "nothing was judged, because there are no cases; check --from, --shard and --cases");
   }
-  return judge.is_right() ? 0 : 1;
+  return status;
 }
 
 void add_check_options(CLI::App& command, CheckOptions& options) {
@@ -262,7 +263,7 @@ void add_check_options(CLI::App& command, CheckOptions& options) {
   command
       .add_option("--json", options.json,
                   "also write the verdict as JSON to this file, or, as -, to standard output in "
-                  "place of the text; the members are in docs/judging.md")
+                  "place of the text; docs/json.md has the members")
       ->check(not_empty());
   command.add_option("--show", options.shown, "number of wrong results to show")
       ->transform(whole_number(0, 1'000'000))

@@ -1,13 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <iostream>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/json/desync_json.hpp"
+#include "app/cli/json/result_file.hpp"
 #include "judge/desync/compare.hpp"
 #include "judge/desync/log_file.hpp"
 #include "judge/desync/values.hpp"
@@ -28,10 +29,8 @@ struct DesyncOptions {
   std::string a;
   std::string b;
   bool rollback = false;
+  ResultFile result;
 };
-
-/// How many records are printed before and after the one that differs.
-constexpr std::size_t context_records = 3;
 
 std::string frame_text(std::int64_t frame) {
   return frame == record::no_frame ? "before the first frame" : fmt::format("frame {}", frame);
@@ -58,41 +57,18 @@ void print_log(const char* side, const LogFile& log) {
   }
 }
 
-/// Returns the mark in force at a record of a side, or an empty text.
-std::string mark_at(LogFile& log, const Side& side, std::size_t index) {
-  if (index < side.records.size() && side.records[index].name != 0) {
-    return log.name_with_hash(side.records[index].name);
-  }
-  return side.entry.name == 0 ? "" : log.name(side.entry.name);
-}
-
-void print_record(std::string_view name, LogFile& log, const Side& side, std::size_t index) {
-  const desync::Record& record = side.records[index];
-  const desync::Operation operation = desync::operation_of(record.words);
-  std::string text = operation.kind == record::kind::mark
-                         ? "mark " + log.name_with_hash(record.words[1])
-                         : desync::text_of(operation);
-  std::string source;
-  if (record.input) {
-    source = fmt::format(" from the double {} ({:016x})", std::bit_cast<double>(*record.input),
-                         *record.input);
-  }
-  if (record.line != 0 && record::is_operation(operation.kind)) {
-    source += fmt::format("  {}:{}", log.name(record.file), record.line);
-  }
-  std::cout << fmt::format("{} {:>14}  {}{}\n", name, support::grouped(record.operation),
-                           support::printable(text), support::printable(source));
-}
-
 void print_side(const char* name, LogFile& log, const Side& side) {
   if (!side.index) {
     std::cout << fmt::format("{} {:>14}  the frame ends here\n", name, "");
     return;
   }
-  const std::size_t index = *side.index;
-  const std::size_t end = std::min(side.records.size(), index + 1 + context_records);
-  for (std::size_t i = index - std::min(index, context_records); i < end; ++i) {
-    print_record(fmt::format("{}{}", name, i == index ? '>' : ' '), log, side, i);
+  for (const ShownRecord& record : records_around(log, side)) {
+    std::string source;
+    if (!record.input.empty()) source = " from the double " + record.input;
+    if (!record.place.empty()) source += "  " + record.place;
+    std::cout << fmt::format("{}{} {:>14}  {}{}\n", name, record.differs ? '>' : ' ',
+                             support::grouped(record.operation), support::printable(record.text),
+                             support::printable(source));
   }
 }
 
@@ -166,12 +142,10 @@ std::string origin_text(const desync::Origin& origin) {
 }
 
 void print_hint(const Comparison& found, bool rollback) {
-  const std::string range = rollback ? fmt::format("frames:{0}-{0}", found.a.entry.frame)
-                                     : fmt::format("{}-{}", found.a.block, found.a.block + 1);
   std::cout << fmt::format(
       "To see the operation, run both programs again with FIXPROOF_RECORD_FULL={} in their\n"
       "environment, and compare the new logs.\n",
-      range);
+      range_to_record(found, rollback));
 }
 
 int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
@@ -196,7 +170,7 @@ int print(const Comparison& found, LogFile& a, LogFile& b, bool rollback) {
     return 0;
   }
   const desync::Entry& entry = found.a.entry;
-  const std::string mark = mark_at(a, found.a, found.a.index.value_or(0));
+  const std::string mark = mark_of(a, found.a);
   std::cout << fmt::format(
       "First difference: block {} ({}{}), {}", found.a.block, frame_text(entry.frame),
       mark.empty() ? "" : ", after the mark " + support::quoted(mark), closing);
@@ -230,6 +204,7 @@ void add_desync(CLI::App& app, int& status) {
   command->add_flag(
       "--rollback", options->rollback,
       "compare the last simulation of every frame instead of the runs from their beginning");
+  options->result.add_to(*command);
   command->footer(
       R"(A program that computes with fixproof::recorded<q16_16> writes such a log (docs/recorder.md).
 The first comparison names a block of up to 1,024 records. Run both programs again with the range
@@ -246,6 +221,7 @@ Examples:
       throw support::UsageError(fmt::format(
           "{} and {} are the same file; give the logs of two runs", options->a, options->b));
     }
+    options->result.open({options->a, options->b}, "the logs");
     LogFile a(options->a);
     LogFile b(options->b);
     print_log("A", a);
@@ -256,7 +232,9 @@ Examples:
           fmt::format("{} and {} have no {} in common, so nothing was compared", options->a,
                       options->b, options->rollback ? "frame" : "block"));
     }
-    status = print(found, a, b, options->rollback);
+    status = options->result.write(print(found, a, b, options->rollback), [&] {
+      return desync_json(found, a, b, options->rollback, explanation(found.verdict));
+    });
   });
 }
 

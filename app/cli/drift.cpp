@@ -6,14 +6,16 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/json/result_file.hpp"
 #include "app/cli/scene_options.hpp"
 #include "measure/player/outputs.hpp"
 #include "measure/trade/advice/choice.hpp"
 #include "measure/trade/drift/strip.hpp"
-#include "support/file.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
 #include "support/output_file.hpp"
@@ -29,7 +31,7 @@ struct DriftOptions {
   std::string scene;
   DriftRequest request;
   std::string strip;
-  std::string json;
+  ResultFile result;
 };
 
 /// Frame rates, in frames per second, at which the duration is printed.
@@ -129,7 +131,7 @@ trade::DriftFigures measure_drift(const xsharp::Scene& scene, const DriftRequest
 
 namespace {
 
-int run(const DriftOptions& options) {
+int run(DriftOptions& options) {
   const xsharp::Scene scene = xsharp::read_scene(options.scene);
   require_objects(scene);
   if (options.request.object >= scene.objects.size()) {
@@ -137,13 +139,10 @@ int run(const DriftOptions& options) {
                                           options.request.object, scene.name,
                                           scene.objects.size() - 1));
   }
-  if (!options.strip.empty() && !options.json.empty() &&
-      support::same_file(options.strip, options.json)) {
-    throw support::UsageError(
-        fmt::format("--json {}: --strip writes this file; name another", options.json));
-  }
   const auto strip = player::open_output("--strip", options.strip, scene.files);
-  const auto json = player::open_output("--json", options.json, scene.files);
+  std::vector<std::string> others = scene.files;
+  others.push_back(options.strip);
+  options.result.open(others, "the scene or of --strip");
 
   trade::DriftFigures figures;
   {
@@ -164,10 +163,10 @@ int run(const DriftOptions& options) {
     std::cout << fmt::format(
         "\nSTOPPED after {} of {} frames{}\n", support::grouped(frames),
         support::grouped(figures.wanted),
-        options.strip.empty() && options.json.empty() ? "" : "; no file is written");
+        options.strip.empty() && !options.result.is_wanted() ? "" : "; no file is written");
     return support::interrupted_status;
   }
-  if (json) json->replace(support::json_text(figures));
+  options.result.write(0, [&] { return support::Json(figures); });
   if (strip) {
     strip->replace(drift_strip(scene, options.request));
     std::cout << fmt::format("\n{}: {}\n", support::printable(options.strip),
@@ -205,11 +204,7 @@ void add_drift(CLI::App& app, int& status) {
               "--strip", options->strip,
               "write an SVG of one object after 0, 1, 5, 15 and 30 minutes in each arithmetic")
           ->check(picture_file(".svg"));
-  command
-      ->add_option("--json", options->json,
-                   "write the results, and how they change over time, to this file as JSON; - is "
-                   "standard output")
-      ->transform(output_file());
+  options->result.add_to(*command);
   command->add_option("--object", options->request.object, "index of the object that --strip draws")
       ->transform(whole_number(0, 1'000'000))
       ->capture_default_str()

@@ -9,11 +9,14 @@
 
 #include "app/cli/case_options.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/json/judge_json.hpp"
+#include "app/cli/json/result_file.hpp"
 #include "app/cli/judge_listing.hpp"
 #include "app/cli/judge_options.hpp"
 #include "app/cli/judge_program.hpp"
 #include "app/cli/judge_rules.hpp"
 #include "app/cli/judge_text.hpp"
+#include "app/cli/option_names.hpp"
 #include "app/cli/proof_progress.hpp"
 #include "app/cli/words.hpp"
 #include "judge/code/clocks.hpp"
@@ -177,12 +180,12 @@ int trace_case(const judge::Subject& subject, const std::string& operands) {
 }
 
 /// Prints what single calls show. Returns whether they have no defect.
-bool print_inspection(const judge::Subject& subject) {
+bool print_inspection(const judge::Subject& subject, RoutineFindings& found) {
   if (const std::string reason = judge::absence_on_unicorn(); !reason.empty()) {
     std::cout << fmt::format("\nno calls step by step: {}\n", reason);
     return true;
   }
-  const judge::Inspection inspection = judge::inspect(subject);
+  const judge::Inspection& inspection = found.inspection.emplace(judge::inspect(subject));
   std::cout << '\n' << inspection_text(inspection, subject.image);
   // Code for older processors has a table of clocks, which counts instructions, too.
   if (subject.image.bits == 64 || subject.image.architecture != nullptr) {
@@ -191,28 +194,30 @@ bool print_inspection(const judge::Subject& subject) {
   return inspection.is_clean();
 }
 
-void print_clocks(const judge::Subject& subject) {
+void print_clocks(const judge::Subject& subject, RoutineFindings& found) {
   if (subject.image.bits == 64) {
     std::cout << "\nclocks are not counted: none of the four processors has 64-bit code\n";
     return;
   }
   const std::string reason = judge::absence_on_unicorn();
   std::cout << '\n'
-            << (reason.empty() ? clocks_text(judge::count_clocks(subject))
+            << (reason.empty() ? clocks_text(found.clocks.emplace(judge::count_clocks(subject)))
                                : fmt::format("clocks are not counted: {}\n", reason));
 }
 
 /// Prints a proof, a counterexample, or why there is neither. Returns false for a counterexample.
 bool print_proof(const JudgeOptions& options, const judge::Subject& subject,
-                 const judge::Verdict& verdict) {
+                 RoutineFindings& found) {
+  const judge::Verdict& verdict = found.verdict();
   const proof::Solver solver(options.solver.name);
+  found.solver = solver.version();
   const auto prove = [&] {
     ProofProgress progress;
     return judge::prove(subject, verdict.rules, verdict.machine, solver, options.solver.seconds,
                         [&](const judge::ProofStep& step) { progress.show(step); });
   };
-  const judge::RoutineProof proof = prove();
-  std::cout << '\n' << proof_text(proof, verdict.rules, solver.version());
+  const judge::RoutineProof& proof = found.proof.emplace(prove());
+  std::cout << '\n' << proof_text(proof, verdict.rules, found.solver);
   return proof.standing != proof::Standing::disproven;
 }
 
@@ -249,30 +254,61 @@ int status_of_stopped(const judge::Verdict& verdict, const cases::Variant& varia
 /// Judges a routine whose results have several words, and returns the exit status.
 int judge_whole_results(const JudgeOptions& options, const judge::Subject& subject,
                         const judge::VerdictOptions& use,
-                        std::optional<support::FrameProgress>& progress) {
+                        std::optional<support::FrameProgress>& progress, RoutineFindings& found) {
   if (options.prove) throw support::UsageError("--prove is for a routine with one result");
-  const judge::WholeVerdict whole = judge::judge_whole(subject, use);
+  const judge::WholeVerdict& whole = found.of_whole.emplace(judge::judge_whole(subject, use));
   progress.reset();
-  std::cout << heading_text(subject, options.file, rules_line(use.rules, Rounding::given))
+  found.rules = rules_line(use.rules, Rounding::given);
+  std::cout << heading_text(subject, options.file, found.rules)
             << (whole.verdict.cases > 0 || whole.verdict.stuck ? whole_text(subject, whole) : "");
   if (whole.verdict.stuck) return status_of(false, subject.image, whole.verdict);
   bool right = whole.verdict.is_right() && whole.candidates.front().exceptions == 0;
   if (whole.verdict.is_stopped) {
     return status_of_stopped(whole.verdict, subject.variant, use.cases, right);
   }
-  right = print_inspection(subject) && right;
-  if (options.clocks) print_clocks(subject);
+  right = print_inspection(subject, found) && right;
+  if (options.clocks) print_clocks(subject, found);
   return status_of(right, subject.image, whole.verdict);
 }
 
-int judge_file(const JudgeOptions& given, const CLI::App& command) {
+/// Judges a routine with one result, and returns the exit status.
+int judge_numbers(const JudgeOptions& options, const judge::Subject& subject,
+                  judge::VerdictOptions& use, std::optional<support::FrameProgress>& progress,
+                  RoutineFindings& found) {
+  const cases::Variant& variant = subject.variant;
+  use.rounding_is_open = is_open(options) && check::is_rounded(variant);
+  const judge::Verdict& verdict = found.of_numbers.emplace(judge::judge_routine(subject, use));
+  progress.reset();
+  const bool has_verdict = verdict.cases > 0 || verdict.stuck;
+  const Rounding rounding = !use.rounding_is_open                            ? Rounding::given
+                            : verdict.stuck || verdict.state || !has_verdict ? Rounding::unknown
+                                                                             : Rounding::fitting;
+  found.rules = rules_line(verdict.rules, rounding);
+  std::cout << heading_text(subject, options.file, found.rules)
+            << (has_verdict ? verdict_text(subject, verdict) : "");
+  if (verdict.stuck) return status_of(false, subject.image, verdict);
+  if (verdict.is_stopped) {
+    return status_of_stopped(verdict, variant, use.cases, verdict.is_right());
+  }
+  bool right = print_inspection(subject, found) && verdict.is_right();
+  if (options.clocks) print_clocks(subject, found);
+  if (options.prove && !verdict.state) right = print_proof(options, subject, found) && right;
+  return status_of(right, subject.image, verdict);
+}
+
+int judge_file(const JudgeOptions& given, const CLI::App& command, ResultFile& result) {
   const support::Interrupt interrupt;
   expect_effects(command);
-  if (!given.run.program.empty()) return judge_program(given, command);
+  if (!given.run.program.empty()) {
+    result.open();
+    return judge_program(given, command, result);
+  }
   if (!given.listing.routines.empty()) {
-    return judge_against_listings(given.file, given.at, given.listing);
+    result.open({given.file}, "the code");
+    return judge_against_listings(given.file, given.at, given.listing, result);
   }
   const JudgeOptions options = with_symbol(given);
+  result.open({options.file}, "the code");
   const judge::Image image = image_of(options);
   expect_x86(options, image);
   if (options.list) {
@@ -296,24 +332,11 @@ int judge_file(const JudgeOptions& given, const CLI::App& command) {
     if (!progress) progress.emplace(all, "cases");
     progress->show(done);
   };
-  if (is_whole(operation)) return judge_whole_results(options, subject, use, progress);
-  use.rounding_is_open = is_open(options) && check::is_rounded(variant);
-  const judge::Verdict verdict = judge::judge_routine(subject, use);
-  progress.reset();
-  const bool has_verdict = verdict.cases > 0 || verdict.stuck;
-  const Rounding rounding = !use.rounding_is_open                            ? Rounding::given
-                            : verdict.stuck || verdict.state || !has_verdict ? Rounding::unknown
-                                                                             : Rounding::fitting;
-  std::cout << heading_text(subject, options.file, rules_line(verdict.rules, rounding))
-            << (has_verdict ? verdict_text(subject, verdict) : "");
-  if (verdict.stuck) return status_of(false, image, verdict);
-  if (verdict.is_stopped) {
-    return status_of_stopped(verdict, variant, use.cases, verdict.is_right());
-  }
-  bool right = print_inspection(subject) && verdict.is_right();
-  if (options.clocks) print_clocks(subject);
-  if (options.prove && !verdict.state) right = print_proof(options, subject, verdict) && right;
-  return status_of(right, image, verdict);
+  RoutineFindings found;
+  const int status = is_whole(operation)
+                         ? judge_whole_results(options, subject, use, progress, found)
+                         : judge_numbers(options, subject, use, progress, found);
+  return result.write(status, [&] { return routine_json(subject, options.file, found); });
 }
 
 }  // namespace
@@ -322,8 +345,12 @@ void add_judge(CLI::App& app, int& status) {
   auto options = std::make_shared<JudgeOptions>();
   CLI::App* command = app.add_subcommand(
       "judge", "judge your code: a function in C, machine code, or a program in any language");
+  auto result = std::make_shared<ResultFile>();
   options->add_to(*command);
-  command->callback([options, command, &status] { status = judge_file(*options, *command); });
+  result->add_to(*command);
+  put_under(*command, "Cases", {"--json"});
+  command->callback(
+      [options, result, command, &status] { status = judge_file(*options, *command, *result); });
 }
 
 }  // namespace fixproof::cli

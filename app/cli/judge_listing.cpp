@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/cli/json/judge_json.hpp"
 #include "app/cli/program.hpp"
 #include "judge/code/assemble.hpp"
 #include "judge/code/find_listing.hpp"
@@ -212,7 +213,7 @@ void ListingOptions::add_to(CLI::App& command) {
 }
 
 int judge_against_listings(const std::string& file, const std::string& at,
-                           const ListingOptions& options) {
+                           const ListingOptions& options, ResultFile& result) {
   const std::vector<ProgramKey> keys = keys_of(options);
   judge::Code code(judge::bytes_of(file));
   Search search(code, at);
@@ -232,13 +233,18 @@ int judge_against_listings(const std::string& file, const std::string& at,
       bytes += place.end - place.start;
     }
   }
+  std::vector<ListingResult> listings;
   for (Sought& one : all) {
-    std::cout << machine_code::name_of(one.key) << ": "
-              << (one.places.empty() ? missing_text(one, search, taken) : confirmed_text(one));
+    ListingResult& listing = listings.emplace_back(
+        ListingResult{machine_code::name_of(one.key), one.is_confirmed(), {}, {}});
+    for (const ListingComparison& place : one.places) listing.places.push_back(place.start);
+    listing.text = one.places.empty() ? missing_text(one, search, taken) : confirmed_text(one);
+    std::cout << listing.name << ": " << listing.text;
   }
   std::cout << fmt::format("{} of {} listing{} confirmed{}\n", confirmed, keys.size(),
                            keys.size() == 1 ? "" : "s", search.share_text(bytes));
-  return confirmed == keys.size() ? 0 : 1;
+  return result.write(confirmed == keys.size() ? 0 : 1,
+                      [&] { return listings_json(file, listings); });
 }
 
 }  // namespace fixproof::cli

@@ -33,10 +33,10 @@ void expect_effects(const CLI::App& command) {
   if (command.count("--run") > 0 && command.count("file") > 0) {
     throw support::UsageError("--run and a file both name what to judge; leave one out");
   }
-  expect_only(
-      command, "--run",
-      {"--as", "--format", "--to", "--terms", "--rounding", "--within", "--overflow", "--no-result",
-       "--rule", "--level", "--seed", "--shard", "--cases", "--show", "--processes", "--timeout"});
+  expect_only(command, "--run",
+              {"--as", "--format", "--to", "--terms", "--rounding", "--within", "--overflow",
+               "--no-result", "--rule", "--level", "--seed", "--shard", "--cases", "--show",
+               "--json", "--processes", "--timeout"});
   if (command.count("--run") > 0) return;
   if (command.count("--timeout") > 0 && command.count("--prove") == 0) {
     throw support::UsageError("--timeout requires --prove or --run");
@@ -51,7 +51,7 @@ void expect_effects(const CLI::App& command) {
       {"file", "--at", "--symbol", "--bits", "--as", "--frame", "--format", "--to", "--terms"});
   expect_only(command, "--against-listing",
               {"file", "--at", "--target", "--round", "--mul-round", "--div-round", "--as-printed",
-               "--chapter", "--repaired"});
+               "--chapter", "--repaired", "--json"});
 }
 
 void RunOptions::add_to(CLI::App& command) {

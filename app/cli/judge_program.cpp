@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "app/cli/case_options.hpp"
+#include "app/cli/json/judge_json.hpp"
 #include "app/cli/judge_rules.hpp"
 #include "app/cli/judge_text.hpp"
 #include "judge/check/verdict_text.hpp"
@@ -80,7 +81,7 @@ std::string event_text(const program::Failure& failure) {
   }
 }
 
-/// Returns one line: the case, what happens, what the program says, and the fix.
+/// Returns one line without its end: the case, what happens, what the program says, and the fix.
 std::string failure_text(const program::Failure& failure, const check::Rules& rules) {
   std::string where = "after the last case";
   if (failure.at) {
@@ -95,7 +96,7 @@ std::string failure_text(const program::Failure& failure, const check::Rules& ru
   if (failure.fault && !failure.fault->error.empty()) {
     text += fmt::format("; it says {}", support::quoted(failure.fault->error));
   }
-  return text + (failure.fault ? "; " + fix_of(failure) : "") + '\n';
+  return text + (failure.fault ? "; " + fix_of(failure) : "");
 }
 
 /// @throws support::UsageError if the shell found no program
@@ -112,9 +113,23 @@ void expect_started(const program::Verdict& verdict, const std::string& command)
                   support::quoted(command), said));
 }
 
+void print_judgement(const program::Verdict& verdict) {
+  std::cout << fmt::format("{} case{} in {} process{} in {}\n",
+                           support::grouped(verdict.judge->cases()),
+                           verdict.judge->cases() == 1 ? "" : "s", verdict.processes,
+                           verdict.processes == 1 ? "" : "es", support::duration(verdict.seconds));
+  if (verdict.unsteady) {
+    std::cout << fmt::format(
+        "UNSTEADY: for {} the result differs from run to run: the program keeps something from "
+        "case to case, or reads registers or memory that nothing sets\n",
+        check::text_of_operands(*verdict.unsteady, verdict.rules));
+  }
+  std::cout << judgement_text(*verdict.judge, verdict.smallest);
+}
+
 }  // namespace
 
-int judge_program(const JudgeOptions& options, const CLI::App& command) {
+int judge_program(const JudgeOptions& options, const CLI::App& command, ResultFile& result) {
   const cases::Variant variant = judged_by_run(options);
   const RunOptions& of_run = options.run;
   std::optional<support::FrameProgress> progress;
@@ -138,32 +153,20 @@ int judge_program(const JudgeOptions& options, const CLI::App& command) {
   const Rounding rounding = !use.rounding_is_open ? Rounding::given
                             : has_verdict         ? Rounding::fitting
                                                   : Rounding::unknown;
-  std::cout << fmt::format("{}: a program\n{}\n", support::printable(of_run.program),
-                           rules_line(verdict.rules, rounding));
-  if (verdict.failure) {
-    std::cout << failure_text(*verdict.failure, verdict.rules);
-    return 1;
-  }
-  if (has_verdict) {
-    std::cout << fmt::format(
-        "{} case{} in {} process{} in {}\n", support::grouped(verdict.judge->cases()),
-        verdict.judge->cases() == 1 ? "" : "s", verdict.processes,
-        verdict.processes == 1 ? "" : "es", support::duration(verdict.seconds));
-    if (verdict.unsteady) {
-      std::cout << fmt::format(
-          "UNSTEADY: for {} the result differs from run to run: the program keeps something from "
-          "case to case, or reads registers or memory that nothing sets\n",
-          check::text_of_operands(*verdict.unsteady, verdict.rules));
-    }
-    std::cout << judgement_text(*verdict.judge, verdict.smallest);
-  }
-  if (verdict.is_stopped) {
+  const std::string rules = rules_line(verdict.rules, rounding);
+  const std::string failure =
+      verdict.failure ? failure_text(*verdict.failure, verdict.rules) : std::string();
+  std::cout << fmt::format("{}: a program\n{}\n", support::printable(of_run.program), rules)
+            << failure << (failure.empty() ? "" : "\n");
+  if (has_verdict) print_judgement(verdict);
+  if (verdict.is_stopped && failure.empty()) {
     std::cout << fmt::format("\nSTOPPED after {} of {} cases\n",
                              support::grouped(has_verdict ? verdict.judge->cases() : 0),
                              support::grouped(verdict.cases));
-    return verdict.is_right() ? support::interrupted_status : 1;
   }
-  return verdict.is_right() ? 0 : 1;
+  const int status = !verdict.is_right() ? 1 : verdict.is_stopped ? support::interrupted_status : 0;
+  return result.write(status,
+                      [&] { return program_json(of_run.program, verdict, rules, failure); });
 }
 
 }  // namespace fixproof::cli

@@ -19,12 +19,9 @@ namespace fixproof::cli {
 namespace {
 
 std::string machine_text(const judge::Verdict& verdict, const judge::Image& image) {
-  std::string text = fmt::format("{} case{} {} in {}", support::grouped(verdict.cases),
-                                 verdict.cases == 1 ? "" : "s",
-                                 verdict.machine == judge::On::processor
-                                     ? "on this processor"
-                                     : fmt::format("on {}", judge::emulator_of(image.architecture)),
-                                 support::duration(verdict.seconds));
+  std::string text = fmt::format(
+      "{} case{} {} in {}", support::grouped(verdict.cases), verdict.cases == 1 ? "" : "s",
+      "on " + machine_name(verdict, image), support::duration(verdict.seconds));
   if (verdict.on_both > 0) {
     text += fmt::format(", {} of them also on Unicorn", support::grouped(verdict.on_both));
   }
@@ -93,7 +90,19 @@ std::string unsteady_text(const judge::Subject& subject, const judge::Verdict& v
       hint_of_types(subject));
 }
 
-/// Returns what a call breaks, such as "does not keep si and leaves the direction flag set".
+}  // namespace
+
+std::string code_text(const judge::Image& image) {
+  return image.architecture != nullptr ? fmt::format("{} code", judge::code_name(image))
+                                       : fmt::format("{}-bit code", image.bits);
+}
+
+std::string machine_name(const judge::Verdict& verdict, const judge::Image& image) {
+  return verdict.machine == judge::On::processor
+             ? "this processor"
+             : std::string(judge::emulator_of(image.architecture));
+}
+
 std::string broken_text(judge::RegisterMask broken, const judge::Image& image) {
   using judge::Call;
   std::string text;
@@ -109,8 +118,6 @@ std::string broken_text(judge::RegisterMask broken, const judge::Image& image) {
   if ((broken & Call::moves_segments) != 0) add("changes DS or SS");
   return text;
 }
-
-}  // namespace
 
 std::string register_names(judge::RegisterMask mask, const judge::Image& image) {
   std::string text;
@@ -179,11 +186,8 @@ std::string text_of(const judge::Ending& ending, const judge::Image& image) {
 std::string heading_text(const judge::Subject& subject, const std::string& file,
                          const std::string& rules) {
   const judge::Image& image = subject.image;
-  const std::string code = image.architecture != nullptr
-                               ? fmt::format("{} code", judge::code_name(image))
-                               : fmt::format("{}-bit code", image.bits);
   return fmt::format("{}: {}, routine at {:04x}h, {}, frame {}\n{}\n", support::printable(file),
-                     image.container, image.entry, code, subject.frame.text, rules);
+                     image.container, image.entry, code_text(image), subject.frame.text, rules);
 }
 
 std::string calls_text(const judge::Subject& subject, const judge::Verdict& verdict) {

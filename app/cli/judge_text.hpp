@@ -45,6 +45,15 @@ std::string proof_text(const judge::RoutineProof& proof, const check::Rules& rul
 /// Returns how a call ended, and where.
 std::string text_of(const judge::Ending& ending, const judge::Image& image);
 
+/// Returns `32-bit code`, or `ARM code` and the like.
+std::string code_text(const judge::Image& image);
+
+/// Returns what ran the cases, such as `this processor`.
+std::string machine_name(const judge::Verdict& verdict, const judge::Image& image);
+
+/// Returns what a call breaks, such as `does not keep si and leaves the direction flag set`.
+std::string broken_text(judge::RegisterMask broken, const judge::Image& image);
+
 /// Returns the names of the registers in a mask, such as `bx, si`.
 std::string register_names(judge::RegisterMask mask, const judge::Image& image);
 

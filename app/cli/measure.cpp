@@ -8,13 +8,11 @@
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/json/result_file.hpp"
 #include "app/cli/measure_text.hpp"
 #include "app/cli/print_error.hpp"
-#include "measure/player/outputs.hpp"
 #include "support/interrupt.hpp"
 #include "support/json.hpp"
-#include "support/output_file.hpp"
-#include "support/plain_text.hpp"
 #include "xsharp/files/scene_json.hpp"
 
 namespace fixproof::cli {
@@ -28,15 +26,14 @@ struct MeasureOptions {
   bool stepping = false;
   std::vector<std::string> scenes;
   std::string format;
-  std::string json;
   measure::MeasureRequest request;
+  ResultFile result;
 };
 
 /// Reads the scenes and locks the JSON file, if one is named.
 /// @throws xsharp::SceneError, UsageError if the format is not one or the JSON file is an input,
 ///         std::runtime_error if that cannot be written
-measure::MeasureRequest read_request(const MeasureOptions& options,
-                                     std::unique_ptr<support::OutputFile>& json) {
+measure::MeasureRequest read_request(MeasureOptions& options) {
   measure::MeasureRequest request = options.request;
   if (!options.format.empty()) request.format = cases::format_named(options.format);
   std::vector<std::string> inputs;
@@ -45,14 +42,13 @@ measure::MeasureRequest read_request(const MeasureOptions& options,
     const auto& files = request.scenes.back().files;
     inputs.insert(inputs.end(), files.begin(), files.end());
   }
-  json = player::open_output("--json", options.json, inputs);
+  options.result.open(inputs, "the scene");
   return request;
 }
 
 template <class Result>
-int run(const MeasureOptions& options, Measurement<Result> measure) {
-  std::unique_ptr<support::OutputFile> json;
-  const measure::MeasureRequest request = read_request(options, json);
+int run(MeasureOptions& options, Measurement<Result> measure) {
+  const measure::MeasureRequest request = read_request(options);
   measure::MeasureProgress progress(support::Interrupt::flag());
   Measured<Result> measured;
   {
@@ -60,16 +56,18 @@ int run(const MeasureOptions& options, Measurement<Result> measure) {
     measured = run_measurement(measure, request, progress);
   }
   if (measured.status == support::interrupted_status) {
-    std::cout << fmt::format(
-        "STOPPED after {} of {} {}{}\n", progress.done(), progress.all(), progress.unit(),
-        options.json.empty() ? "" : "; " + support::printable(options.json) + " is not written");
+    std::cout << fmt::format("STOPPED after {} of {} {}{}\n", progress.done(), progress.all(),
+                             progress.unit(), options.result.loss_text());
+    return measured.status;
   }
-  if (measured.result) {
-    std::cout << text_of(*measured.result);
-    if (json) json->replace(support::json_text(*measured.result));
-  }
+  if (measured.result) std::cout << text_of(*measured.result);
   for (const std::string& line : measured.errors) print_error(line);
-  return measured.status;
+  return options.result.write(measured.status, [&] {
+    support::Json json = support::Json::object();
+    if (measured.result) json = *measured.result;
+    json["errors"] = measured.errors;
+    return json;
+  });
 }
 
 }  // namespace
@@ -131,10 +129,7 @@ void add_measure(CLI::App& app, int& status) {
       ->capture_default_str()
       ->excludes(accuracy)
       ->excludes(clocks);
-  command
-      ->add_option("--json", options->json,
-                   "write the results to this file as JSON; - is standard output")
-      ->transform(output_file());
+  options->result.add_to(*command);
   command->footer(
       R"(--accuracy compares results with exact integers, by default for 500,000 operands of each kind. With
 --format, it takes the formats that fixed/formats.hpp names, but no scene: its operands are 16.16.

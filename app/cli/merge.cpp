@@ -6,6 +6,8 @@
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/json/result_file.hpp"
+#include "app/cli/json/verify_json.hpp"
 #include "app/cli/print_error.hpp"
 #include "app/cli/table.hpp"
 #include "support/output_file.hpp"
@@ -19,9 +21,13 @@ struct MergeOptions {
   std::vector<std::string> files;
   std::string report;
   bool accept_other_builds = false;
+  ResultFile result;
 };
 
-int run(const MergeOptions& options) {
+int run(MergeOptions& options) {
+  std::vector<std::string> others = options.files;
+  others.push_back(options.report);
+  options.result.open(others, "the reports");
   std::optional<support::OutputFile> report;
   if (!options.report.empty()) report.emplace(options.report);
   std::vector<verify::NamedReport> parts;
@@ -32,8 +38,8 @@ int run(const MergeOptions& options) {
   const std::string missing = verify::missing(sum, parts);
   if (!missing.empty()) print_error(missing);
   // A mismatch counts even if parts are missing.
-  if (sum.mismatches() > 0) return 1;
-  return missing.empty() ? 0 : 2;
+  const int status = sum.mismatches() > 0 ? 1 : missing.empty() ? 0 : 2;
+  return options.result.write(status, [&] { return verify_json(sum); });
 }
 
 }  // namespace
@@ -50,6 +56,7 @@ void add_merge(CLI::App& app, int& status) {
       ->transform(output_file());
   command->add_flag("--accept-other-builds", options->accept_other_builds,
                     "add parts of other builds or other parties; the sum lists them");
+  options->result.add_to(*command);
   command->footer(
       R"(The parts must belong to the same verification (level, seed, rows, parties) and must not share
 a chunk. All parts must come from this build, and their parties must have used the same libraries

@@ -11,6 +11,8 @@
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/json/mutate_json.hpp"
+#include "app/cli/json/result_file.hpp"
 #include "app/cli/selection.hpp"
 #include "app/cli/solver_options.hpp"
 #include "support/frame_progress.hpp"
@@ -31,6 +33,7 @@ struct MutateOptions {
   std::uint64_t seed = 1994;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   bool verbose = false;
+  ResultFile result;
 };
 
 struct Trial {
@@ -118,85 +121,84 @@ std::string fate_of(const Trial& trial) {
                      cases::hex_words(j.proof.counterexample, cases::operand_bits(trial.variant)));
 }
 
-struct Score {
-  std::size_t mutants = 0;
-  std::size_t killed = 0;
-  std::size_t equivalent = 0;
-  std::size_t gaps = 0;
-  std::uint64_t slowest = 0;
-
-  void add(const proof::MutantResult& j) {
-    ++mutants;
-    ++(j.fate == proof::Fate::killed       ? killed
-       : j.fate == proof::Fate::equivalent ? equivalent
-                                           : gaps);
-    if (j.fate == proof::Fate::killed) slowest = std::max(slowest, j.cases);
-  }
-  [[nodiscard]] std::string line(std::string_view name) const {
-    return fmt::format("{:<28}{:>8}{:>8}{:>12}{:>6}{:>16}\n", name, support::grouped(mutants),
-                       support::grouped(killed), support::grouped(equivalent), gaps,
-                       support::grouped(slowest));
-  }
-};
-
-int report(const std::vector<Trial>& trials, bool verbose, double seconds) {
-  std::string notable;
-  std::string lines;
-  Score all;
-  std::size_t left = 0;
+MutationReport report_of(const std::vector<Trial>& trials, bool verbose) {
+  MutationReport report;
   for (std::size_t i = 0; i < trials.size();) {
-    const std::string name = name_of_trial(trials[i]);
-    Score score;
-    for (; i < trials.size() && name_of_trial(trials[i]) == name; ++i) {
+    MutantScore& score = report.programs.emplace_back(MutantScore{name_of_trial(trials[i])});
+    for (; i < trials.size() && name_of_trial(trials[i]) == score.name; ++i) {
       const Trial& trial = trials[i];
       if (!trial.done) {
-        ++left;
+        ++report.left;
         continue;
       }
       score.add(trial.result);
-      all.add(trial.result);
+      report.all.add(trial.result);
       if (verbose || trial.result.fate == proof::Fate::gap) {
-        notable += fmt::format("{}, mutant {}: {}: {}\n", name, trial.number, trial.mutant.change,
-                               fate_of(trial));
+        report.notable.push_back({score.name, trial.number, trial.mutant.change, fate_of(trial)});
       }
     }
-    lines += score.line(name);
   }
-  std::cout << notable << (notable.empty() ? "" : "\n")
-            << fmt::format("{:<28}{:>8}{:>8}{:>12}{:>6}{:>16}\n", "routine", "mutants", "killed",
-                           "equivalent", "gaps", "slowest kill")
-            << lines << all.line("all");
-  const std::size_t mortal = all.killed + all.gaps;
-  std::cout << fmt::format(
-      "\nScore: {} of {} mutants that are not equivalent are killed by level 1"
-      " ({:.2f} %); {}\n",
-      support::grouped(all.killed), support::grouped(mortal),
-      mortal == 0 ? 100.0 : 100.0 * static_cast<double>(all.killed) / static_cast<double>(mortal),
-      support::duration(seconds));
-  if (left > 0) {
-    std::cout << fmt::format("Stopped. INCOMPLETE: {} mutants are not judged.\n",
-                             support::grouped(left));
-  }
-  if (all.gaps > 0) return 1;
-  return left > 0 ? support::interrupted_status : 0;
+  return report;
 }
 
-int run(const MutateOptions& options) {
+std::string line_of(const MutantScore& score) {
+  return fmt::format("{:<28}{:>8}{:>8}{:>12}{:>6}{:>16}\n", score.name,
+                     support::grouped(score.mutants), support::grouped(score.killed),
+                     support::grouped(score.equivalent), score.gaps,
+                     support::grouped(score.slowest));
+}
+
+void print(const MutationReport& report) {
+  for (const NotableMutant& one : report.notable) {
+    std::cout << fmt::format("{}, mutant {}: {}: {}\n", one.program, one.number, one.change,
+                             one.fate);
+  }
+  std::cout << (report.notable.empty() ? "" : "\n")
+            << fmt::format("{:<28}{:>8}{:>8}{:>12}{:>6}{:>16}\n", "routine", "mutants", "killed",
+                           "equivalent", "gaps", "slowest kill");
+  for (const MutantScore& score : report.programs) std::cout << line_of(score);
+  const MutantScore& all = report.all;
+  const std::size_t mortal = all.killed + all.gaps;
+  std::cout << line_of(all)
+            << fmt::format(
+                   "\nScore: {} of {} mutants that are not equivalent are killed by level 1"
+                   " ({:.2f} %); {}\n",
+                   support::grouped(all.killed), support::grouped(mortal),
+                   mortal == 0
+                       ? 100.0
+                       : 100.0 * static_cast<double>(all.killed) / static_cast<double>(mortal),
+                   support::duration(report.seconds));
+  if (report.left > 0) {
+    std::cout << fmt::format("Stopped. INCOMPLETE: {} mutants are not judged.\n",
+                             support::grouped(report.left));
+  }
+}
+
+int run(MutateOptions& options) {
+  options.result.open();
   std::vector<Trial> trials;
+  SolverUse use{{}, options.solver.seconds};
   const auto begin = std::chrono::steady_clock::now();
   {
     // Restore Ctrl-C before printing, because the output may block on its reader.
     const support::Interrupt interrupt;
     // Before the mutants, which take seconds to make.
     const proof::Solver solver(options.solver.name);
+    use.version = solver.version();
     trials = trials_of(options.selection);
     std::cout << fmt::format("{} mutants, seed {}, {}\n\n", support::grouped(trials.size()),
-                             options.seed, solver.version())
+                             options.seed, use.version)
               << std::flush;
     judge_all(trials, options, solver);
   }
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-  return report(trials, options.verbose, passed.count());
+  MutationReport report = report_of(trials, options.verbose);
+  report.solver = use;
+  report.seed = options.seed;
+  report.seconds = passed.count();
+  print(report);
+  const int status = report.all.gaps > 0 ? 1 : report.left > 0 ? support::interrupted_status : 0;
+  return options.result.write(status, [&] { return mutate_json(report); });
 }
 
 }  // namespace
@@ -212,6 +214,7 @@ void add_mutate(CLI::App& app, int& status) {
       ->add_option("--threads", options->threads, "number of threads; by default one per processor")
       ->transform(whole_number(1, 1024));
   command->add_flag("--verbose", options->verbose, "print the result of every mutant");
+  options->result.add_to(*command);
   command->footer(
       R"(Changes every instruction of every routine and inner loop in every way that
 x86model/mutants.hpp lists, one at a time. A mutant is killed by the first case of level 1 on

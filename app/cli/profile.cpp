@@ -7,15 +7,14 @@
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/json/result_file.hpp"
 #include "app/cli/profile_text.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/cli/surface_options.hpp"
 #include "measure/player/canvas.hpp"
-#include "measure/player/outputs.hpp"
 #include "measure/player/players.hpp"
 #include "support/frame_progress.hpp"
 #include "support/interrupt.hpp"
-#include "support/output_file.hpp"
 #include "support/plain_text.hpp"
 
 namespace fixproof::cli {
@@ -25,13 +24,13 @@ namespace {
 struct ProfileOptions {
   SceneOptions scene;
   SurfaceOptions surfaces;
-  std::string json;
+  ResultFile result;
 };
 
-int run_profile(const ProfileOptions& options) {
+int run_profile(ProfileOptions& options) {
   xsharp::Scene scene = options.scene.read();
   options.surfaces.apply(scene);
-  const auto json = player::open_output("--json", options.json, scene.files);
+  options.result.open(scene.files, "the scene");
   const std::uint64_t frames = options.scene.frame_count(scene);
   std::unique_ptr<xsharp::Player> player;
   trade::Profiler profiler(scene, scene.arithmetic);
@@ -62,12 +61,10 @@ int run_profile(const ProfileOptions& options) {
             << text_of(profile);
   if (done < frames) {
     std::cout << fmt::format("\nSTOPPED after {} of {} frames{}\n", support::grouped(done),
-                             support::grouped(frames),
-                             options.json.empty() ? "" : "; no JSON is written");
+                             support::grouped(frames), options.result.loss_text());
     return support::interrupted_status;
   }
-  if (json) json->replace(support::json_text(profile));
-  return 0;
+  return options.result.write(0, [&] { return support::Json(profile); });
 }
 
 }  // namespace
@@ -84,10 +81,7 @@ void add_profile(CLI::App& app, int& status) {
   command->add_option("--target", options->scene.target, "rules of i386 or i8088")
       ->check(CLI::IsMember({"i386", "i8088"}));
   options->surfaces.add_to(*command);
-  command
-      ->add_option("--json", options->json,
-                   "write the profile to this file as JSON; - is standard output")
-      ->transform(output_file());
+  options->result.add_to(*command);
   command->footer(
       R"(Runs the scene on the register-level model. For each routine it reports the number of calls, the
 ranges of operands and results, their distance from overflow, a divide error and the near plane,

@@ -10,6 +10,8 @@
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/json/proof_json.hpp"
+#include "app/cli/json/result_file.hpp"
 #include "app/cli/print_error.hpp"
 #include "app/cli/prove_type.hpp"
 #include "app/cli/selection.hpp"
@@ -37,6 +39,7 @@ struct ProveOptions {
   SolverOptions solver{.seconds = 60};
   std::string directory;
   std::size_t mutant = 0;  ///< from 1; 0 if none
+  ResultFile result;
 };
 
 struct Tally {
@@ -47,12 +50,15 @@ struct Tally {
   std::size_t disputed = 0;
   double seconds = 0;
   std::string failure{};  ///< what ended the proofs early
+  SolverUse solver{};
+  std::vector<GoalResult> goals{};
 
   [[nodiscard]] std::size_t undecided() const { return open + one_sided + disputed; }
   [[nodiscard]] std::size_t answered() const { return proven + disproven + undecided(); }
-  void add(proof::Standing standing, double took) {
-    ++count_of(standing);
-    seconds += took;
+  void add(const GoalResult& goal) {
+    ++count_of(goal.proof.standing);
+    seconds += goal.proof.seconds;
+    goals.push_back(goal);
   }
 
  private:
@@ -177,8 +183,9 @@ void prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& so
   proof.standing = proof::standing_of(answer.verdict);
   proof.seconds = answer.seconds;
   if (!answer.remark.empty()) proof.remarks.push_back(answer.remark);
-  print_proof(fmt::format("lemma {}", lemma.name), proof);
-  tally.add(proof.standing, proof.seconds);
+  const std::string name = fmt::format("lemma {}", lemma.name);
+  print_proof(name, proof);
+  tally.add({name, proof});
 }
 
 std::string with_questions(std::string_view name, const proof::Proof& proof) {
@@ -189,7 +196,7 @@ void prove_loop(const x86model::LoopForm& form, int seconds, const proof::Solver
                 Tally& tally) {
   const proof::Proof proof = proof::prove(form, sound_program(form), solver, seconds);
   print_proof(with_questions(machine_code::name_of(form), proof), proof);
-  tally.add(proof.standing, proof.seconds);
+  tally.add({machine_code::name_of(form), proof});
 }
 
 void prove_routine(const cases::Variant& v, const ProveOptions& options,
@@ -204,13 +211,15 @@ void prove_routine(const cases::Variant& v, const ProveOptions& options,
   }
   const proof::Proof proof = proof::prove(v, program, solver, options.solver.seconds);
   print_proof(with_questions(cases::name_of(v), proof), proof);
-  tally.add(proof.standing, proof.seconds);
-  if (proof.standing != proof::Standing::disproven) return;
+  const bool is_disproven = proof.standing == proof::Standing::disproven;
+  const std::string replay =
+      is_disproven ? verify::trace_line(v, proof.counterexample) + which : "";
+  tally.add({cases::name_of(v), proof, v, replay});
+  if (!is_disproven) return;
   const int bits = v.format.word_bits;
-  std::cout << fmt::format("  {}: the program {}, the oracle {}\n  replay: {}{}\n",
+  std::cout << fmt::format("  {}: the program {}, the oracle {}\n  replay: {}\n",
                            cases::hex_words(proof.counterexample, cases::operand_bits(v)),
-                           proof.given.text(bits), proof.wanted.text(bits),
-                           verify::trace_line(v, proof.counterexample), which);
+                           proof.given.text(bits), proof.wanted.text(bits), replay);
 }
 
 Tally prove_all(const Programs& programs, const ProveOptions& options) {
@@ -220,6 +229,7 @@ Tally prove_all(const Programs& programs, const ProveOptions& options) {
                            options.solver.seconds)
             << std::flush;
   Tally tally;
+  tally.solver = {solver.version(), options.solver.seconds};
   try {
     for (const proof::Lemma& lemma : lemmas_for(programs)) {
       prove_lemma(lemma, options.solver.seconds, solver, tally);
@@ -228,7 +238,7 @@ Tally prove_all(const Programs& programs, const ProveOptions& options) {
     for (const bool mul_round : lost_carries(options, programs)) {
       const proof::Proof proof = proof::prove_lost_carry(mul_round, solver, options.solver.seconds);
       print_proof(with_questions(name_of_lost_carry(mul_round), proof), proof);
-      tally.add(proof.standing, proof.seconds);
+      tally.add({name_of_lost_carry(mul_round), proof});
     }
     for (const x86model::LoopForm& form : programs.loops) {
       prove_loop(form, options.solver.seconds, solver, tally);
@@ -259,7 +269,7 @@ int summarize(const Tally& tally, std::size_t goals) {
   return left > 0 ? support::interrupted_status : 0;
 }
 
-int run(const ProveOptions& options) {
+int run(ProveOptions& options) {
   const Programs programs = chosen_programs(options.selection);
   if (options.mutant != 0 && !options.directory.empty()) {
     throw support::UsageError("--mutant excludes --write; leave one out");
@@ -273,9 +283,12 @@ int run(const ProveOptions& options) {
     write_scripts(options, programs);
     return 0;
   }
-  return summarize(prove_all(programs, options),
-                   lemmas_for(programs).size() + programs.routines.size() +
-                       lost_carries(options, programs).size() + programs.loops.size());
+  options.result.open();
+  const std::size_t goals = lemmas_for(programs).size() + programs.routines.size() +
+                            lost_carries(options, programs).size() + programs.loops.size();
+  const Tally tally = prove_all(programs, options);
+  return options.result.write(summarize(tally, goals),
+                              [&] { return goals_json(tally.solver, tally.goals, goals); });
 }
 
 }  // namespace
@@ -294,6 +307,8 @@ void add_prove(CLI::App& app, int& status) {
       ->add_option("--mutant", options->mutant,
                    "use this mutant of the routine; see fixproof mutate")
       ->transform(whole_number(1, 100'000));
+  options->result.add_to(*command);
+  command->get_option("--json")->excludes(command->get_option("--write"));
   command->footer(
       R"(Runs each routine symbolically along all its paths and proves that it returns the specified
 result, raises the divide error exactly where specified, reads no undefined flag, stays in its

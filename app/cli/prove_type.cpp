@@ -14,6 +14,8 @@
 #include <thread>
 
 #include "app/cli/arguments.hpp"
+#include "app/cli/json/proof_json.hpp"
+#include "app/cli/json/result_file.hpp"
 #include "app/cli/print_error.hpp"
 #include "app/cli/solver_options.hpp"
 #include "judge/code/load.hpp"
@@ -141,6 +143,10 @@ class Run {
     return summarize(failure);
   }
 
+  [[nodiscard]] support::Json json() const {
+    return functions_json({solver_.version(), options_.solver.seconds}, results_, tasks_.size());
+  }
+
  private:
   GoalProof proof_of(const Task& task) {
     const Object& object = objects_[task.object];
@@ -160,6 +166,8 @@ class Run {
 
   void add(const Task& task, const GoalProof& proof) {
     const Goal& goal = *task.goal;
+    const judge::Compilation& how = objects_[task.object].how;
+    results_.push_back({how.compiler, how.level, goal.operation, goal.type, proof});
     Cell& cell = tallies_[goal.operation][goal.format];
     ++cell.asked;
     ++all_.asked;
@@ -172,7 +180,6 @@ class Run {
       ++all_.proven;
       return;
     }
-    const judge::Compilation& how = objects_[task.object].how;
     std::string text = fmt::format("{} {}  {}: ", how.compiler, how.level, line_of(goal));
     if (proof.standing == Standing::disproven) {
       ++disproven_;
@@ -231,6 +238,7 @@ class Run {
   judge::Answers answers_;
   std::vector<Object> objects_;
   std::vector<Task> tasks_;
+  std::vector<FunctionResult> results_;  ///< in the order in which they come
   std::mutex mutex_;
   std::map<std::string, std::map<std::string, Cell>> tallies_;
   Cell all_;
@@ -240,7 +248,7 @@ class Run {
   std::string slowest_one_;
 };
 
-int run(TypeOptions options) {
+int run(TypeOptions options, ResultFile& result) {
   if (const std::string absence = judge::absence_on_unicorn(); !absence.empty()) {
     throw support::UsageError("each function also runs on Unicorn: " + absence);
   }
@@ -259,14 +267,18 @@ int run(TypeOptions options) {
   for (const std::string& compiler : options.compilers) {
     std::cout << judge::version_of(compiler) << '\n';
   }
+  result.open({options.answers}, "--answers");
   const support::Interrupt interrupt;
-  return Run(options, goals).run();
+  Run proofs(options, goals);
+  const int status = proofs.run();
+  return result.write(status, [&] { return proofs.json(); });
 }
 
 }  // namespace
 
 void add_prove_type(CLI::App& prove, int& status) {
   auto options = std::make_shared<TypeOptions>();
+  auto result = std::make_shared<ResultFile>();
   CLI::App* command = prove.add_subcommand(
       "type", "prove the type as compilers translate it for x86-64, for all operands");
   command->add_option("--compiler", options->compilers, "compilers: names on the PATH, or paths")
@@ -290,6 +302,10 @@ void add_prove_type(CLI::App& prove, int& status) {
   command->add_option("--threads", options->threads, "functions at a time; by default, all cores")
       ->transform(whole_number(1, 1'024));
   options->solver.add_to(*command);
+  result->add_to(*command);
+  for (const char* text : {"--list", "--source"}) {
+    command->get_option("--json")->excludes(command->get_option(text));
+  }
   command->footer(
       R"(Compiles a function for each operation, format, rounding and rule for overflow, and proves that
 its object code returns what docs/formats.md says for all operands, or raises an error exactly
@@ -303,7 +319,7 @@ Examples:
   fixproof prove type --quick
   fixproof prove type --only q16_16 --compiler clang++ --level=-O3
   fixproof prove type --answers proven.txt --solver both)");
-  command->callback([options, &status] { status = run(*options); });
+  command->callback([options, result, &status] { status = run(*options, *result); });
 }
 
 }  // namespace fixproof::cli

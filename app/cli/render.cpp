@@ -18,6 +18,7 @@
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/json/result_file.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/cli/surface_options.hpp"
 #include "measure/clocks/frame_clocks.hpp"
@@ -44,6 +45,7 @@ struct RenderOptions {
   bool true_color = false;
   player::OutputNames outputs;
   bool show = false;
+  ResultFile result;
 };
 
 constexpr std::uint64_t max_threads = 256;
@@ -138,16 +140,31 @@ class ClockMeter {
   std::uint64_t counted_ = 0;
 };
 
-int render(const RenderOptions& options) {
+support::Json json_of(const xsharp::Scene& scene, const DrawnFrames& drawn, bool complete) {
+  return {{"scene", support::printable(scene.name)},
+          {"arithmetic", player::name_of(scene.arithmetic)},
+          {"complete", complete},
+          {"frames", drawn.frames},
+          {"polygons", drawn.count.polygons},
+          {"pixels", drawn.count.pixels},
+          {"faults", drawn.tally.faults},
+          {"out_of_reach", drawn.tally.out_of_reach},
+          {"seconds", drawn.seconds}};
+}
+
+int render(RenderOptions& options) {
   xsharp::Scene scene = options.scene.read();
   options.surfaces.apply(scene);
   if (!options.size.empty()) set_size(scene, options.size);
   switch_spots(scene, options.switched_spots);
-  const auto threads = static_cast<std::size_t>(options.threads);
+  const std::size_t threads = options.threads;
   if (options.show) return player::show_scene(scene, options.true_color, threads);
 
   const std::uint64_t frames = options.scene.frame_count(scene);
   const player::OutputNames& files = options.outputs;
+  std::vector<std::string> others = scene.files;
+  others.insert(others.end(), {files.animation, files.dump, files.digests, files.beside});
+  options.result.open(others, "the scene or of another option");
   if (files.folder.empty() && files.animation.empty() && files.dump.empty() &&
       files.digests.empty() && files.beside.empty()) {
     std::cout << "No picture is written or shown; add --animate FILE.png, --out FOLDER or --show\n"
@@ -178,10 +195,13 @@ int render(const RenderOptions& options) {
     std::cout << fmt::format("{} and the frames after it are from an earlier run\n",
                              support::printable(drawn.older_frame));
   }
-  if (drawn.frames == frames) return 0;
-  std::cout << fmt::format("STOPPED after {} of {} frames; the written files are complete\n",
-                           support::grouped(drawn.frames), support::grouped(frames));
-  return support::interrupted_status;
+  const bool complete = drawn.frames == frames;
+  if (!complete) {
+    std::cout << fmt::format("STOPPED after {} of {} frames; the written files are complete\n",
+                             support::grouped(drawn.frames), support::grouped(frames));
+  }
+  return options.result.write(complete ? 0 : support::interrupted_status,
+                              [&] { return json_of(scene, drawn, complete); });
 }
 
 }  // namespace
@@ -271,17 +291,18 @@ void add_render(CLI::App& app, int& status) {
       ->add_option("--beside", options->outputs.beside,
                    "write a PNG of the last frame: as stepped, exact, and where they differ")
       ->check(picture_file(".png"));
+  options->result.add_to(*command);
   CLI::Option* show =
       command->add_flag("--show", options->show, "draw in a window until it is closed");
   for (const char* written :
-       {"--frames", "--out", "--animate", "--dump", "--digests", "--beside"}) {
+       {"--frames", "--out", "--animate", "--dump", "--digests", "--beside", "--json"}) {
     show->excludes(command->get_option(written));
   }
   command->footer(
       R"(Keys in the window: space pauses, s or the right arrow steps one frame, 1 or a switches the
 ambient light, 2, 3 and 4 switch the spotlights, r switches the rounding, q or Escape quits.
 
---dump - and --digests - write to standard output.
+--dump -, --digests - and --json - write to standard output.
 
 Exit status: 0 all frames are drawn, 2 bad usage or an invalid scene, 130 interrupted.
 

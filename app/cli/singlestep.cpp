@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <iostream>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
 
+#include "app/cli/json/singlestep_json.hpp"
 #include "app/cli/print_error.hpp"
 #include "support/plain_text.hpp"
 #include "support/thread_pool.hpp"
@@ -25,45 +25,21 @@ using singlestep::Skip;
 /// Mismatches printed per file; further ones are only counted.
 constexpr std::uint64_t max_shown = 20;
 
-struct Counts {
-  std::uint64_t equal = 0;
-  std::uint64_t differing = 0;
-  std::array<std::uint64_t, singlestep::skip_count> skipped{};
-
-  [[nodiscard]] std::uint64_t run() const { return equal + differing; }
-  Counts& operator+=(const Counts& other) {
-    equal += other.equal;
-    differing += other.differing;
-    for (std::size_t i = 0; i < skipped.size(); ++i) skipped[i] += other.skipped[i];
-    return *this;
-  }
-};
-
-std::string summary(const Counts& counts) {
-  std::uint64_t skipped = 0;
+std::string summary(const StepCounts& counts) {
   std::string reasons;
   for (std::size_t i = 0; i < counts.skipped.size(); ++i) {
     if (counts.skipped[i] == 0) continue;
-    skipped += counts.skipped[i];
     reasons += fmt::format("{} {} {}", reasons.empty() ? ":" : ",", counts.skipped[i],
                            name_of(static_cast<Skip>(i)));
   }
   return fmt::format("{} cases, {} run, {} equal, {} differing; {} skipped{}",
-                     counts.run() + skipped, counts.run(), counts.equal, counts.differing, skipped,
-                     reasons);
+                     counts.run() + counts.all_skipped(), counts.run(), counts.equal,
+                     counts.differing, counts.all_skipped(), reasons);
 }
 
-/// What the command prints about one file.
-struct Result {
-  bool done = false;
-  Counts counts;
-  std::string out;
-  std::string error;
-};
-
-void count(const singlestep::Case& c, x86model::Cpu cpu, const std::string& file, Result& result) {
+void count(const singlestep::Case& c, x86model::Cpu cpu, StepFile& file) {
   const auto verdict = fixproof::singlestep::judge(c, cpu);
-  Counts& counts = result.counts;
+  StepCounts& counts = file.counts;
   if (const Skip* reason = std::get_if<Skip>(&verdict)) {
     ++counts.skipped[static_cast<std::size_t>(*reason)];
     return;
@@ -73,50 +49,54 @@ void count(const singlestep::Case& c, x86model::Cpu cpu, const std::string& file
     ++counts.equal;
     return;
   }
-  if (++counts.differing > max_shown) return;
-  result.out += fmt::format("{}: case {} {}: {}\n", file, c.index, support::quoted(c.name),
-                            fmt::join(differences, "; "));
+  if (++counts.differing <= max_shown) file.shown.push_back({c.index, c.name, differences});
 }
 
-Result judge_file(const std::string& path, x86model::Cpu cpu) {
-  const std::string file = support::printable(path);
-  Result result;
+StepFile judge_file(const std::string& path, x86model::Cpu cpu) {
+  StepFile file{.path = path, .counts = {}, .shown = {}, .error = {}};
   try {
-    singlestep::read_cases(path, cpu,
-                           [&](const singlestep::Case& c) { count(c, cpu, file, result); });
+    singlestep::read_cases(path, cpu, [&](const singlestep::Case& c) { count(c, cpu, file); });
   } catch (const std::runtime_error& error) {
-    result.error = error.what();
+    file.error = error.what();
   }
-  const Counts& counts = result.counts;
-  if (counts.differing > max_shown) {
-    result.out += fmt::format("{}: {} more\n", file, counts.differing - max_shown);
+  return file;
+}
+
+std::string text_of(const StepFile& file) {
+  const std::string name = support::printable(file.path);
+  std::string text;
+  for (const DifferingStep& step : file.shown) {
+    text += fmt::format("{}: case {} {}: {}\n", name, step.index, support::quoted(step.name),
+                        fmt::join(step.differences, "; "));
   }
-  if (result.error.empty()) result.out += fmt::format("{}: {}\n", file, summary(counts));
-  return result;
+  if (file.counts.differing > max_shown) {
+    text += fmt::format("{}: {} more\n", name, file.counts.differing - max_shown);
+  }
+  if (file.error.empty()) text += fmt::format("{}: {}\n", name, summary(file.counts));
+  return text;
 }
 
 /// Results in the order of the files, printed as soon as all earlier ones are.
 class Results {
  public:
-  explicit Results(std::size_t files) : results_(files) {}
+  explicit Results(std::size_t files) : files_(files), done_(files) {}
 
-  void add(std::size_t file, Result result) {
+  void add(std::size_t number, StepFile file) {
     const std::scoped_lock lock(mutex_);
-    result.done = true;
-    results_[file] = std::move(result);
-    for (; printed_ < results_.size() && results_[printed_].done; ++printed_) {
-      Result& next = results_[printed_];
-      std::cout << next.out << std::flush;
+    done_[number] = true;
+    files_[number] = std::move(file);
+    for (; printed_ < files_.size() && done_[printed_]; ++printed_) {
+      const StepFile& next = files_[printed_];
+      std::cout << text_of(next) << std::flush;
       if (!next.error.empty()) print_error(next.error);
       total_ += next.counts;
       bad_ = bad_ || !next.error.empty();
-      next.out.clear();
     }
   }
 
   /// Prints what concerns all files. @return the exit status
   int finish() {
-    if (results_.size() > 1) std::cout << "total: " << summary(total_) << '\n' << std::flush;
+    if (files_.size() > 1) std::cout << "total: " << summary(total_) << '\n' << std::flush;
     if (!bad_ && total_.run() == 0) {
       print_error("none of the cases can be run");
       bad_ = true;
@@ -125,17 +105,21 @@ class Results {
     return bad_ ? 2 : 0;
   }
 
+  [[nodiscard]] support::Json json() const { return singlestep_json(files_, total_); }
+
  private:
   std::mutex mutex_;
-  std::vector<Result> results_;
+  std::vector<StepFile> files_;
+  std::vector<bool> done_;
   std::size_t printed_ = 0;
-  Counts total_;
+  StepCounts total_;
   bool bad_ = false;
 };
 
 }  // namespace
 
-int judge_files(const std::vector<std::string>& files, x86model::Cpu cpu) {
+int judge_files(const std::vector<std::string>& files, x86model::Cpu cpu, ResultFile& result) {
+  result.open(files, "--singlestep");
   Results results(files.size());
   std::atomic<std::size_t> next = 0;
   support::ThreadPool pool(
@@ -145,7 +129,8 @@ int judge_files(const std::vector<std::string>& files, x86model::Cpu cpu) {
       results.add(i, judge_file(files[i], cpu));
     }
   });
-  return results.finish();
+  const int status = results.finish();
+  return result.write(status, [&] { return results.json(); });
 }
 
 }  // namespace fixproof::cli

@@ -214,6 +214,7 @@ void add_step(CLI::App& app, int& status) {
   auto cpu = std::make_shared<std::string>("386");
   auto timed = std::make_shared<std::string>();
   auto files = std::make_shared<std::vector<std::string>>();
+  auto result = std::make_shared<ResultFile>();
   CLI::App* command = app.add_subcommand(
       "step", "execute one instruction per line, or judge the model by captured states");
   command
@@ -226,11 +227,15 @@ void add_step(CLI::App& app, int& status) {
           ->add_option("--clocks", *timed,
                        "append the clocks of the instruction on an 8088, 286, 386 or 486")
           ->check(CLI::IsMember(&cpu_names));
-  command
-      ->add_option("--singlestep", *files,
-                   "judge the cases of these files, JSON or MOO, plain or gzip, instead of lines")
-      ->check(not_empty())
-      ->excludes(clocks);
+  CLI::Option* captured =
+      command
+          ->add_option(
+              "--singlestep", *files,
+              "judge the cases of these files, JSON or MOO, plain or gzip, instead of lines")
+          ->check(not_empty())
+          ->excludes(clocks);
+  result->add_to(*command);
+  command->get_option("--json")->needs(captured);
   command->footer(
       R"(A line is an instruction and all registers. The answer is the state after it, then the flags that
 it leaves undefined. DE is a divide error. `unmodelled` means that no routine uses the
@@ -256,10 +261,10 @@ status: 0 no case differs, 1 a case differs, 2 a file is damaged or no case can 
 Examples:
   fixproof step --cpu 8086 --singlestep 8086/v1_binary/*.MOO.gz
   fixproof step --cpu 286 --singlestep 80286/v1_real_mode/F7.6.MOO.gz)");
-  command->callback([cpu, timed, files, &status] {
+  command->callback([cpu, timed, files, result, &status] {
     const x86::Cpu processor = processors.at(*cpu);
     if (!files->empty()) {
-      status = judge_files(*files, processor);
+      status = judge_files(*files, processor, *result);
       return;
     }
     if (processor == x86::Cpu::i286) {

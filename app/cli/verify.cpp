@@ -11,6 +11,8 @@
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
+#include "app/cli/json/result_file.hpp"
+#include "app/cli/json/verify_json.hpp"
 #include "app/cli/print_error.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/selection.hpp"
@@ -53,33 +55,34 @@ struct VerifyOptions {
   std::string report;
   std::size_t max_reports = 10;
   std::string words;
+  ResultFile result;
 };
 
-int compare_case(const VerifyOptions& options, std::span<const cases::Row> rows) {
+int compare_case(VerifyOptions& options, std::span<const cases::Row> rows) {
   if (options.selection.operations.size() != 1)
     throw support::UsageError("--case needs exactly one operation");
   int status = 0;
+  std::vector<AskedCase> asked;
   for (const cases::Row& row : rows) {
-    std::vector<std::uint32_t> words(cases::words_in(row.variant));
-    read_words(options.words, row.variant, words);
-    std::vector<std::pair<std::string, std::string>> said;
-    bool equal = true;
-    for (int call = 0; call < calls_of_case && equal; ++call) {
+    AskedCase& one = asked.emplace_back(AskedCase{row.variant, {}, {}, true});
+    one.words.resize(cases::words_in(row.variant));
+    read_words(options.words, row.variant, one.words);
+    for (int call = 0; call < calls_of_case && one.equal; ++call) {
       std::vector<parties::Answer> answers;
-      said.clear();
+      one.said.clear();
       for (const std::string& name : row.parties) {
-        answers.push_back(parties::ask(parties::party_named(name), row.variant, words));
-        said.emplace_back(name, answers.back().text(row.variant.format.word_bits));
+        answers.push_back(parties::ask(parties::party_named(name), row.variant, one.words));
+        one.said.emplace_back(name, answers.back().text(row.variant.format.word_bits));
       }
-      equal = parties::agree(answers);
+      one.equal = parties::agree(answers);
     }
-    if (!equal) status = 1;
+    if (!one.equal) status = 1;
     std::cout << fmt::format("{}: {} ({}): {}: {}\n", cases::name_of(row.variant),
-                             cases::hex_words(words, cases::operand_bits(row.variant)),
-                             cases::decimal_words(row.variant, words), grouped_answers(said),
-                             equal ? "equal" : "DIFFER");
+                             cases::hex_words(one.words, cases::operand_bits(row.variant)),
+                             cases::decimal_words(row.variant, one.words),
+                             grouped_answers(one.said), one.equal ? "equal" : "DIFFER");
   }
-  return status;
+  return options.result.write(status, [&] { return asked_json(asked); });
 }
 
 /// Refuses a state that another build made, or whose chunks give other results here.
@@ -195,9 +198,18 @@ std::string resume_hint(const VerifyOptions& options) {
   return "Stopped. The results are lost; with --resume FILE a stopped run can continue.\n";
 }
 
-int verify(const VerifyOptions& options) {
+/// The exit status of a run that kept its findings.
+int status_of(const verify::Report& report, bool has_failed) {
+  // A mismatch counts even if the run is incomplete.
+  if (report.mismatches() > 0) return 1;
+  if (has_failed) return 2;
+  return report.complete() ? 0 : support::interrupted_status;
+}
+
+int verify(VerifyOptions& options) {
   const auto parties = chosen_parties(options.selection);
   auto rows = chosen_rows(options.selection, parties);
+  options.result.open({options.resume, options.report}, "--resume or --report");
   if (!options.words.empty()) return compare_case(options, rows);
 
   // Before the state is read: until then another run may write it.
@@ -231,10 +243,8 @@ int verify(const VerifyOptions& options) {
   if (!party_failure.empty()) print_error(party_failure);
   for (const std::string& failure : failures) print_error(failure);
   if (!failures.empty()) return 2;
-  // A mismatch counts even if the run is incomplete.
-  if (report.mismatches() > 0) return 1;
-  if (!party_failure.empty()) return 2;
-  return report.complete() ? 0 : support::interrupted_status;
+  return options.result.write(status_of(report, !party_failure.empty()),
+                              [&] { return verify_json(report); });
 }
 
 void add_options(CLI::App& command, VerifyOptions& options) {
@@ -301,6 +311,7 @@ void add_options(CLI::App& command, VerifyOptions& options) {
       ->excludes(shard)
       ->excludes(resume)
       ->excludes(report);
+  options.result.add_to(command);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "app/cli/check_json.hpp"
+#include "app/cli/json/check_json.hpp"
 
 #include "judge/check/guess_text.hpp"
 #include "judge/check/verdict_text.hpp"
@@ -11,27 +11,33 @@ namespace {
 
 using support::Json;
 
-/// The result as its line, or as the word that a line of to_decimal stands for.
 Json example_json(const check::JudgedCase& one, const check::Rules& rules) {
+  Json json;
+  json["case"] = one.number;
+  json["stream"] = support::printable(one.origin);
+  json.update(answer_json(one, rules));
+  json["text"] = check::text_of(one, rules);
+  return json;
+}
+
+}  // namespace
+
+Json answer_json(const check::JudgedCase& one, const check::Rules& rules) {
   const cases::Format& format = rules.variant.format;
   const bool is_text = rules.variant.operation == cases::Operation::to_decimal;
   const check::Expected expected = check::expected_of(one, rules);
   Json json;
-  json["case"] = one.number;
-  json["stream"] = support::printable(one.origin);
   json["operands"] = check::line_of_operands(one, rules);
   json["expected"] = nullptr;
+  // The result as its line, or as the word that a line of to_decimal stands for.
   if (expected.judged) {
     json["expected"] = is_text ? check::decimal_text(*expected.said, format)
                                : check::line_of_result(expected.said, format);
   }
   json["said"] = is_text ? one.said_text : check::line_of_result(one.said, format);
   json["kind"] = check::name_of(check::kind_of(one, rules), rules.variant.operation);
-  json["text"] = check::text_of(one, rules);
   return json;
 }
-
-}  // namespace
 
 Json check_json(const check::Judge& judge, const std::string& text, bool complete) {
   const check::Rules& rules = judge.rules();

@@ -1,5 +1,5 @@
 /// @file
-/// The verdict of `fixproof check` as JSON; docs/judging.md has its members.
+/// The verdict of `fixproof check` as JSON; docs/json.md has its members.
 #pragma once
 
 #include <string>
@@ -8,6 +8,9 @@
 #include "support/json.hpp"
 
 namespace fixproof::cli {
+
+/// Returns what is expected of a case and what is said, without its place among the cases.
+support::Json answer_json(const check::JudgedCase& one, const check::Rules& rules);
 
 /// @param text the verdict as text
 /// @param complete every case was judged
