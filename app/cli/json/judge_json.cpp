@@ -48,13 +48,15 @@ void add_step_defects(Json& json, const judge::Inspection& inspection) {
   add("uses a privileged instruction", inspection.privileged);
 }
 
-/// @param smallest the wrong case with the smallest operands, if there is one
-Json judgement_json(const check::Judge& judge, const std::optional<check::JudgedCase>& smallest,
-                    bool complete) {
-  if (judge.cases() == 0) return {};
-  Json json = check_json(judge, check::verdict_text(judge), complete);
-  json["smallest"] = smallest ? answer_json(*smallest, judge.rules()) : Json();
-  return json;
+/// Adds the judgement of the results, and the wrong case with the smallest operands.
+/// @param judge null if a defect leaves nothing to judge
+void add_judgement(Json& json, const check::Judge* judge,
+                   const std::optional<check::JudgedCase>& smallest, bool complete) {
+  json["judgement"] = nullptr;
+  json["smallest"] = nullptr;
+  if (judge == nullptr || judge->cases() == 0) return;
+  json["judgement"] = check_json(*judge, check::verdict_text(*judge), complete);
+  if (smallest) json["smallest"] = answer_json(*smallest, judge->rules());
 }
 
 Json spread_json(const judge::Spread& spread) {
@@ -123,10 +125,9 @@ Json routine_json(const judge::Subject& subject, const std::string& file,
   json["divide_errors"] = verdict.divide_errors;
   json["defects"] = call_defects(verdict, image);
   if (found.inspection) add_step_defects(json["defects"], *found.inspection);
-  json["judgement"] = nullptr;
-  if (verdict.judge && !verdict.stuck && !verdict.state) {
-    json["judgement"] = judgement_json(*verdict.judge, verdict.smallest, !verdict.is_stopped);
-  }
+  const bool is_judged = verdict.judge && !verdict.stuck && !verdict.state;
+  add_judgement(json, is_judged ? &*verdict.judge : nullptr, verdict.smallest,
+                !verdict.is_stopped);
   json["candidates"] = found.of_whole ? candidates_json(*found.of_whole) : Json();
   json["clocks"] = found.clocks ? clocks_json(*found.clocks) : Json();
   json["proof"] =
@@ -155,10 +156,9 @@ Json program_json(const std::string& command, const program::Verdict& verdict,
     json["defects"] +=
         defect_json("unsteady", check::text_of_operands(*verdict.unsteady, verdict.rules), "");
   }
-  json["judgement"] = nullptr;
-  if (verdict.judge && !verdict.failure) {
-    json["judgement"] = judgement_json(*verdict.judge, verdict.smallest, !verdict.is_stopped);
-  }
+  const bool is_judged = verdict.judge && !verdict.failure;
+  add_judgement(json, is_judged ? &*verdict.judge : nullptr, verdict.smallest,
+                !verdict.is_stopped);
   return json;
 }
 
