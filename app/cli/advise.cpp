@@ -199,7 +199,7 @@ void add_advise(CLI::App& app, int& status) {
       ->add_option_function<std::string>(
           "--cpu", [options](const std::string& name) { options->cpu = cpu_names.at(name); },
           "processor whose clocks are the cost: 8088, 286, 386 or 486; by default 386")
-      ->check(CLI::IsMember(&cpu_names));
+      ->check(one_of(names_of(cpu_names)));
   command
       ->add_flag("--host", options->host,
                  "measure the cost in nanoseconds on this processor instead")

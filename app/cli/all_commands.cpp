@@ -26,6 +26,17 @@ const std::array<Group, 5> groups{{
 }  // namespace
 
 void add_all_commands(CLI::App& app, int& status) {
+  app.footer(R"(Start here:
+  fixproof judge fixed.c:fix_mul --as mul    is this function right, and by which rule?
+  fixproof judge --run './mine' --as mul     the same for a program in any language
+  fixproof verify                            FIXED.ASM and the number type, in seconds
+  echo '1.5 -0.25' | fixproof eval mul       one exact product
+  fixproof help check                        the options of a command, with examples
+
+--json FILE writes the result of a command that judges or measures for other programs
+(docs/json.md). NO_COLOR=1 turns colours off.
+
+Exit status: 0 right, 1 wrong, 2 not decided, bad usage or bad input, 130 interrupted.)");
   for (const Group& group : groups) {
     for (const auto add : group.commands) {
       add(app, status);

@@ -11,6 +11,7 @@
 #include <limits>
 #include <string>
 
+#include "support/edits.hpp"
 #include "support/plain_text.hpp"
 
 namespace fixproof::cli {
@@ -34,6 +35,16 @@ void add_seed(CLI::App& command, std::uint64_t& seed) {
   command.add_option("--seed", seed, "seed of the random cases")
       ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const std::string all = fmt::format("{{{}}}", fmt::join(words, ","));
+  return {[words, all](const std::string& text) -> std::string {
+            if (std::find(words.begin(), words.end(), text) != words.end()) return "";
+            return fmt::format("{} not in {}{}", fixproof::support::printable(text), all,
+                               fixproof::support::suggestion(text, words));
+          },
+          all};
 }
 
 CLI::Validator not_empty() {

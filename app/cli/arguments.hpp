@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace fixproof::cli {
 
@@ -14,6 +16,17 @@ CLI::Validator whole_number(std::uint64_t first, std::uint64_t last);
 
 /// Adds --seed, with the current value of `seed` as default. `seed` must outlive the command.
 void add_seed(CLI::App& command, std::uint64_t& seed);
+
+/// Accepts one of these words, and answers a slip with the one that was meant.
+CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// Returns the names of a map, in its order.
+template <class Map>
+std::vector<std::string> names_of(const Map& map) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map) names.push_back(name);
+  return names;
+}
 
 /// Rejects an empty value, which a script may pass by way of an unset variable.
 CLI::Validator not_empty();

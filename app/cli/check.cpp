@@ -178,14 +178,14 @@ int check(const CLI::App& command, const CheckOptions& options) {
   }
   std::unique_ptr<check::CaseSource> cases = cases_of(variant, options);
   std::optional<support::OutputFile> json;
-  if (!options.json.empty() && options.json != "-") {
+  if (!options.json.empty()) {
     for (const std::string& input : {options.from, options.results}) {
       if (!input.empty() && support::same_file(input, options.json)) {
         throw support::UsageError(fmt::format(
             "--json {}: this is also a file that check reads; name another file", options.json));
       }
     }
-    json.emplace(options.json);
+    json.emplace(options.json == "-" ? "/dev/stdout" : options.json);
   }
   std::ifstream file;
   if (!options.results.empty()) {
@@ -232,10 +232,10 @@ int check(const CLI::App& command, const CheckOptions& options) {
   }
   if (options.json != "-") std::cout << text;
   const int status = !judge.is_right() ? 1 : stopped ? support::interrupted_status : 0;
-  if (!options.json.empty() && judge.cases() > 0 && failure.empty()) {
+  if (json && judge.cases() > 0 && failure.empty()) {
     const std::string document =
         support::json_text(result_json("check", status, check_json(judge, text, !stopped)));
-    json ? json->replace(document) : void(std::cout << document);
+    json->replace(document);
   }
   if (stopped) return status;
   if (!failure.empty()) throw support::UsageError(failure);

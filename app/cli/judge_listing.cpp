@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/cli/arguments.hpp"
 #include "app/cli/json/judge_json.hpp"
 #include "app/cli/program.hpp"
 #include "judge/code/assemble.hpp"
@@ -204,7 +205,7 @@ void ListingOptions::add_to(CLI::App& command) {
                       "only compare the code with a listing, instruction by instruction: mul, div, "
                       "cossin, xformvec, concat, several with commas, or all")
           ->delimiter(',')
-          ->check(CLI::IsMember({"mul", "div", "cossin", "xformvec", "concat", "all"}));
+          ->check(one_of({"mul", "div", "cossin", "xformvec", "concat", "all"}));
   variant.add_to(command);
   for (const char* name : {"--target", "--round", "--mul-round", "--div-round", "--as-printed",
                            "--chapter", "--repaired"}) {

@@ -102,7 +102,7 @@ void JudgeOptions::add_to(CLI::App& command) {
           "--bits", bits,
           "width of the code, 16, 32 or 64; by default that of an ELF file, what BITS says for "
           "NASM source, else 16")
-      ->check(CLI::IsMember({16, 32, 64}));
+      ->check(one_of({"16", "32", "64"}));
   command
       .add_option(
           "--format", format,

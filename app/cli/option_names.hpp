@@ -9,10 +9,13 @@
 
 namespace fixproof::cli {
 
-/// Writes help as CLI11 does, with the names of needed and excluded options in alphabetical order.
+/// Writes help as CLI11 does, with the names of needed and excluded options in alphabetical order,
+/// and descriptions in lines that fit the terminal.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_option_desc(const CLI::Option* option) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
 };
 
 /// Describes the first pair of given options that exclude each other: `--a excludes --b`.

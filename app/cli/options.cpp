@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "app/cli/arguments.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::cli {
@@ -26,7 +27,7 @@ void add_rounding_options(CLI::App& command, std::optional<bool>& mul_round,
     return command
         .add_option_function<std::string>(
             name, [set](const std::string& text) { set(text == "on"); }, what)
-        ->check(CLI::IsMember({"on", "off"}));
+        ->check(one_of({"on", "off"}));
   };
   // Contradictory options exclude each other, because neither is the more likely intent.
   on_off("--round", "both roundings: on or off", [&](bool on) { mul_round = div_round = on; })
@@ -37,13 +38,12 @@ void add_rounding_options(CLI::App& command, std::optional<bool>& mul_round,
 }
 
 void VariantOptions::add_to(CLI::App& command, bool of_rows) {
-  const auto named = [](const auto& names) { return CLI::IsMember(&names); };
   command
       .add_option_function<std::string>(
           "--target", [this](const std::string& t) { targets = targets_of_rows.at(t); },
           of_rows ? "rules of i386, of i8088, of both, or standard, those of fixproof::q16_16"
                   : "half of the listing: i386 or i8088")
-      ->check(named(of_rows ? targets_of_rows : targets_of_programs));
+      ->check(one_of(names_of(of_rows ? targets_of_rows : targets_of_programs)));
   add_rounding_options(command, mul_round, div_round);
   auto* printed =
       command.add_flag("--as-printed", as_printed,
@@ -53,7 +53,7 @@ void VariantOptions::add_to(CLI::App& command, bool of_rows) {
                       .add_option_function<std::string>(
                           "--chapter", [this](const std::string& c) { chapter_52 = c == "52"; },
                           "chapter that prints the listing: 54, or 52 (386 only, always rounded)")
-                      ->check(CLI::IsMember({"52", "54"}));
+                      ->check(one_of({"52", "54"}));
   command
       .add_flag("--repaired", repaired,
                 "use the repaired 8088 concat, which keeps a carry that the printed one loses; see "

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/arguments.hpp"
+#include "support/edits.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 
@@ -20,18 +21,20 @@ void add_port_option(CLI::App& command, std::string& name,
 
 check::Rules port_rules_named(const std::string& name, const cases::Variant& variant) {
   std::string known;
+  std::vector<std::string> names;
   for (const check::PortRule& rule : check::port_rules()) {
     if (!rule.is_for(variant)) continue;
     if (rule.name == name) return check::rules_of(rule, variant.format);
     known += fmt::format("{}{}", known.empty() ? "" : ", ", rule.name);
+    names.emplace_back(rule.name);
   }
   const std::string of =
       fmt::format("{} in {}", cases::name_of(variant.operation), cases::name_of(variant.format));
   throw support::UsageError(
-      known.empty()
-          ? fmt::format("--rule {}: no program has a rule for {}; leave it out",
-                        support::quoted(name), of)
-          : fmt::format("--rule {}: for {} choose one of {}", support::quoted(name), of, known));
+      known.empty() ? fmt::format("--rule {}: no program has a rule for {}; leave it out",
+                                  support::quoted(name), of)
+                    : fmt::format("--rule {}: for {} choose one of {}{}", support::quoted(name), of,
+                                  known, support::suggestion(name, names)));
 }
 
 std::string port_text(const check::PortRule& rule) {

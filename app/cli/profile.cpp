@@ -79,7 +79,7 @@ void add_profile(CLI::App& app, int& status) {
   options->scene.by = "model";
   command->remove_option(command->get_option("--target"));
   command->add_option("--target", options->scene.target, "rules of i386 or i8088")
-      ->check(CLI::IsMember({"i386", "i8088"}));
+      ->check(one_of({"i386", "i8088"}));
   options->surfaces.add_to(*command);
   options->result.add_to(*command);
   command->footer(

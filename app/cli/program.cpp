@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/arguments.hpp"
 #include "support/usage_error.hpp"
 #include "verify/machine_code/machine_code.hpp"
 #include "x86model/text.hpp"
@@ -21,7 +22,7 @@ void ProgramOptions::add_to(CLI::App& command, bool with_loops) {
         .add_option(
             "--loop", counting,
             "how an inner loop counts: loop, dec-jnz or unrolled; depth --as-printed has SHRD")
-        ->check(CLI::IsMember({"loop", "dec-jnz", "unrolled"}));
+        ->check(one_of({"loop", "dec-jnz", "unrolled"}));
   }
   command.add_flag("--as-scanned", as_scanned,
                    "use the 8088 divide as one scan shows it; see docs/findings.md, 10");

@@ -23,11 +23,11 @@ void SceneOptions::add_to(CLI::App& command) {
   command.add_option("--frames", frames, "number of frames; by default ten seconds")
       ->transform(whole_number(1, 100'000'000));
   command.add_option("--arith", by, "arithmetic: type, model or double")
-      ->check(CLI::IsMember({"type", "model", "double"}));
+      ->check(one_of({"type", "model", "double"}));
   command
       .add_option("--target", target,
                   "rules of i386 or i8088; the type also has standard, saturating and trapping")
-      ->check(CLI::IsMember({"i386", "i8088", "standard", "saturating", "trapping"}));
+      ->check(one_of({"i386", "i8088", "standard", "saturating", "trapping"}));
   add_rounding_options(command, mul_round, div_round);
   command.add_flag(
       "--repaired", repaired,
@@ -41,7 +41,7 @@ void SceneOptions::add_to(CLI::App& command) {
   command
       .add_option("--reortho-rows", restore_rows,
                   "rows that --reortho restores: all, or one, as the cross product of the others")
-      ->check(CLI::IsMember({"all", "one"}));
+      ->check(one_of({"all", "one"}));
   command.add_flag("--from-scratch", from_scratch,
                    "compute every orientation from scratch instead of appending rotations");
 }

@@ -220,13 +220,13 @@ void add_step(CLI::App& app, int& status) {
   command
       ->add_option("--cpu", *cpu,
                    "processor: 8088 (also as 8086) or 386; with --singlestep also 286")
-      ->check(CLI::IsMember(&processors))
+      ->check(one_of(names_of(processors)))
       ->capture_default_str();
   CLI::Option* clocks =
       command
           ->add_option("--clocks", *timed,
                        "append the clocks of the instruction on an 8088, 286, 386 or 486")
-          ->check(CLI::IsMember(&cpu_names));
+          ->check(one_of(names_of(cpu_names)));
   CLI::Option* captured =
       command
           ->add_option(

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/cli/arguments.hpp"
 #include "support/usage_error.hpp"
 #include "xsharp/normals.hpp"
 #include "xsharp/validate.hpp"
@@ -28,7 +29,7 @@ void add_word(CLI::App& command, const char* name, std::span<const std::string_v
             set(static_cast<std::size_t>(std::ranges::find(known, text) - known.begin()));
           },
           what)
-      ->check(CLI::IsMember(known));
+      ->check(one_of(known));
 }
 
 bool has_surface(const xsharp::Scene& scene, SurfaceKind kind) {

@@ -277,7 +277,7 @@ void add_options(CLI::App& command, VerifyOptions& options) {
           "--width", [&](const std::string& width) { selection.half_width = width == "half"; },
           "full: 16.16; half: 8.8, where the routines run on 8-bit registers and cossin is left "
           "out")
-      ->check(CLI::IsMember({"full", "half"}));
+      ->check(one_of({"full", "half"}));
   command
       .add_option("--by", selection.by,
                   "the judged party; by default model, or oracle against a function of yours")

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "judge/code/cxx_names.hpp"
+#include "support/edits.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 
@@ -92,9 +93,11 @@ Meant meant_by(const std::string& name, const std::vector<Symbol>& symbols) {
         fmt::format("name the routine as FILE:ROUTINE or with --symbol; choose one of {}", all));
   }
   const bool is_object = image.container == object_container;
-  throw UsageError(fmt::format("--symbol {}: there is no such {}; choose one of {}",
-                               support::quoted(name), is_object ? "global function" : "symbol",
-                               all));
+  std::vector<std::string> names;
+  for (const Symbol& symbol : all_symbols(image)) names.push_back(symbol.name);
+  throw UsageError(fmt::format("--symbol {}: there is no such {}; choose one of {}{}",
+                               support::quoted(name), is_object ? "global function" : "symbol", all,
+                               support::suggestion(name, names)));
 }
 
 }  // namespace

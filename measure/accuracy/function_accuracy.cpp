@@ -10,6 +10,7 @@
 #include "judge/check/cases.hpp"
 #include "judge/check/rules.hpp"
 #include "measure/accuracy/subjects.hpp"
+#include "support/edits.hpp"
 #include "support/plain_text.hpp"
 #include "support/usage_error.hpp"
 #include "verify/cases/variant.hpp"
@@ -237,8 +238,11 @@ std::vector<cases::Operation> functions_named(const std::string& name, const For
     if (is_of_all || name == cases::name_of(operation)) functions.push_back(operation);
   }
   if (functions.empty()) {
-    throw support::UsageError(fmt::format("--function {}: choose all or one of {}",
-                                          support::printable(name), cases::function_names()));
+    std::vector<std::string> names;
+    for (const cases::OperationRow& row : cases::operations) names.emplace_back(row.name);
+    throw support::UsageError(fmt::format("--function {}: choose all or one of {}{}",
+                                          support::printable(name), cases::function_names(),
+                                          support::suggestion(name, names)));
   }
   return functions;
 }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <optional>
 
@@ -56,6 +58,29 @@ std::optional<Format> parsed(std::string_view name) {
   return Format{is_decimal ? *number : *number + *fraction, *fraction, is_signed, is_decimal};
 }
 
+/// Returns ` (did you mean NAME?)` for another way to write a format, such as Q16.16, or for one
+/// that leaves out the sign, such as Q15.16 or q31; else nothing.
+std::string meant_by(std::string_view name) {
+  std::string letters;
+  while (!name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0) {
+    letters += static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+    name.remove_prefix(1);
+  }
+  constexpr std::string_view digits = "0123456789";
+  const std::size_t gap = std::min(name.find_first_not_of(digits), name.size());
+  const bool has_two = gap < name.size();
+  const auto first = small_number(name.substr(0, gap));
+  const auto second = has_two ? small_number(name.substr(gap + 1)) : first;
+  constexpr std::array<std::string_view, 7> for_signed{"", "q", "iq", "s", "fix", "fixed", "fx"};
+  constexpr std::array<std::string_view, 3> for_unsigned{"u", "uq", "ufix"};
+  const bool is_signed = std::ranges::find(for_signed, letters) != for_signed.end();
+  const bool is_unsigned = std::ranges::find(for_unsigned, letters) != for_unsigned.end();
+  if (!first || !second || is_signed == is_unsigned || (is_unsigned && !has_two)) return "";
+  Format meant{(has_two ? *first : 1) + *second, *second, is_signed};
+  if (is_signed && !is_of_type(meant)) ++meant.word_bits;
+  return is_of_type(meant) ? fmt::format(" (did you mean {}?)", name_of(meant)) : "";
+}
+
 }  // namespace
 
 std::string name_of(const Format& format) {
@@ -70,7 +95,8 @@ std::string name_of(const Format& format) {
 Format format_named(std::string_view name) {
   if (const auto format = parsed(name); format && is_of_type(*format)) return *format;
   throw support::UsageError(fmt::format(
-      "{} is not a format; write one like q16_16 or u8_8, with 8, 16, 32 or 64 bits in all", name));
+      "{} is not a format{}; write one like q16_16 or u8_8, with 8, 16, 32 or 64 bits in all", name,
+      meant_by(name)));
 }
 
 Format judged_format_named(std::string_view name) {
@@ -83,10 +109,10 @@ Format judged_format_named(std::string_view name) {
       (format->is_decimal ? format->fraction_bits >= 0 && format->fraction_bits <= most_digits
                           : format->fraction_bits >= -64 && format->fraction_bits <= 128);
   if (is_scale && format->word_bits >= 2 && format->word_bits <= 64) return *format;
-  throw support::UsageError(
-      fmt::format("{} is not a format; write one like q16_16, u8_8 or q2_16, with 2 to 64 bits in "
-                  "all, or like d64_8 for 64 bits in units of 10^-8",
-                  name));
+  throw support::UsageError(fmt::format(
+      "{} is not a format{}; write one like q16_16, u8_8 or q2_16, with 2 to 64 bits in "
+      "all, or like d64_8 for 64 bits in units of 10^-8",
+      name, meant_by(name)));
 }
 
 std::span<const Format> named_formats() { return all_named; }

@@ -3,7 +3,9 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "support/edits.hpp"
 #include "verify/parties/library.hpp"
 #include "verify/parties/parties.hpp"
 
@@ -28,6 +30,7 @@ const std::vector<std::unique_ptr<Party>>& parties() {
 const Party& party_named(std::string_view name) {
   if (names_function(name)) return party_of_function(name);
   std::string known;
+  std::vector<std::string> names;
   for (const auto& party : parties()) {
     if (party->name() == name) {
       const std::string absence = party->absence();
@@ -36,11 +39,12 @@ const Party& party_named(std::string_view name) {
     }
     known += known.empty() ? "" : ", ";
     known += party->name();
+    names.emplace_back(party->name());
   }
   throw std::invalid_argument(
       fmt::format("unknown party '{}'; choose one of {}, or a function of a shared "
-                  "library as in ./libmine.so:my_mul",
-                  name, known));
+                  "library as in ./libmine.so:my_mul{}",
+                  name, known, support::suggestion(name, names)));
 }
 
 }  // namespace fixproof::parties

@@ -8,6 +8,7 @@
 #include <future>
 #include <optional>
 
+#include "support/edits.hpp"
 #include "support/usage_error.hpp"
 #include "verify/proof/known_answers.hpp"
 
@@ -18,7 +19,8 @@ namespace {
 std::vector<std::string> names_in(const std::string& name) {
   if (name == "both" || name == "any") return {"z3", "cvc5"};
   if (name == "z3" || name == "cvc5") return {name};
-  throw support::UsageError(fmt::format("unknown solver '{}'; choose z3, cvc5, both or any", name));
+  throw support::UsageError(fmt::format("unknown solver '{}'; choose z3, cvc5, both or any{}", name,
+                                        support::suggestion(name, {"z3", "cvc5", "both", "any"})));
 }
 
 /// Either decides each of these questions in a fraction of a second.

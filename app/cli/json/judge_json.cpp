@@ -126,8 +126,7 @@ Json routine_json(const judge::Subject& subject, const std::string& file,
   json["defects"] = call_defects(verdict, image);
   if (found.inspection) add_step_defects(json["defects"], *found.inspection);
   const bool is_judged = verdict.judge && !verdict.stuck && !verdict.state;
-  add_judgement(json, is_judged ? &*verdict.judge : nullptr, verdict.smallest,
-                !verdict.is_stopped);
+  add_judgement(json, is_judged ? &*verdict.judge : nullptr, verdict.smallest, !verdict.is_stopped);
   json["candidates"] = found.of_whole ? candidates_json(*found.of_whole) : Json();
   json["clocks"] = found.clocks ? clocks_json(*found.clocks) : Json();
   json["proof"] =
@@ -157,8 +156,7 @@ Json program_json(const std::string& command, const program::Verdict& verdict,
         defect_json("unsteady", check::text_of_operands(*verdict.unsteady, verdict.rules), "");
   }
   const bool is_judged = verdict.judge && !verdict.failure;
-  add_judgement(json, is_judged ? &*verdict.judge : nullptr, verdict.smallest,
-                !verdict.is_stopped);
+  add_judgement(json, is_judged ? &*verdict.judge : nullptr, verdict.smallest, !verdict.is_stopped);
   return json;
 }
 

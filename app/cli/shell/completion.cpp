@@ -11,7 +11,7 @@
 
 #include "app/cli/commands.hpp"
 #include "app/cli/shell/command_tree.hpp"
-#include "app/cli/suggestion.hpp"
+#include "support/edits.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::cli {
@@ -196,7 +196,7 @@ std::string script_for(const std::string& name, const CLI::App& app) {
   if (name == "zsh") return zsh_script(general, commands);
   if (name == "fish") return fish_script(general, commands);
   throw support::UsageError(fmt::format("no completion for '{}'{} (there are bash, zsh and fish)",
-                                        name, suggestion(name, {"bash", "zsh", "fish"})));
+                                        name, support::suggestion(name, {"bash", "zsh", "fish"})));
 }
 
 }  // namespace

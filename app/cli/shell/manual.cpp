@@ -10,8 +10,8 @@
 
 #include "app/cli/commands.hpp"
 #include "app/cli/shell/command_tree.hpp"
-#include "app/cli/suggestion.hpp"
 #include "support/build_info/build_info.hpp"
+#include "support/edits.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::cli {
@@ -107,7 +107,7 @@ std::string first_page(const CommandEntry& app, const std::vector<CommandEntry>&
         fmt::format(".TP\n\\fB{}\\fR\n{}\n", escaped(command.name), escaped(command.description));
     also += fmt::format("{}.BR fixproof\\-{} (1)", also.empty() ? "" : ",\n", command.name);
   }
-  return text + options_text(app, false) + heading("see also") + also + "\n";
+  return text + options_text(app, false) + notes(app.footer) + heading("see also") + also + "\n";
 }
 
 std::string manual_page(const std::string& name, const CLI::App& app) {
@@ -118,7 +118,8 @@ std::string manual_page(const std::string& name, const CLI::App& app) {
     if (command.name == name) return page_of(command);
     names.push_back(command.name);
   }
-  throw support::UsageError(fmt::format("no command '{}'{}", name, suggestion(name, names)));
+  throw support::UsageError(
+      fmt::format("no command '{}'{}", name, support::suggestion(name, names)));
 }
 
 }  // namespace
