@@ -157,9 +157,46 @@ TEST(Usage, ASlipIsAnsweredWithWhatWasMeant) {
   }
 }
 
+TEST(Usage, ASlipInAValueIsAnsweredToo) {
+  for (const auto& [arguments, part] : std::initializer_list<std::array<std::string_view, 2>>{
+           {"eval mul --target i38", "i38 not in {i386,i8088}; did you mean i386? (see "},
+           {"eval mul --by modl", "did you mean model?"},
+           {"check mul --rounding flor", "did you mean floor?"},
+           {"check mul --rule dom", "did you mean doom?"},
+           {"prove mul --solver cvc", "did you mean cvc5?"},
+           {"measure --accuracy --function atam2", "did you mean atan2?"},
+           {"measure --acuracy", "unknown option: --acuracy; did you mean --accuracy? (see "},
+           {"prove type --onyl x", "did you mean --only? (see fixproof prove type --help)"},
+           {"eval mul --format q16.16", "q16.16 is not a format (did you mean q16_16?)"},
+           {"eval mul --format Q15.16", "(did you mean q16_16?)"},
+           {"eval mul --format UQ8.8", "(did you mean u8_8?)"},
+           {"eval mul --format q31", "(did you mean q1_31?)"},
+           {"verify mul --format Q1.14", "(did you mean q2_14?)"}}) {
+    expect_refused(arguments, part);
+  }
+  for (const std::string_view format : {"q", "q16", "x16.16", "q99.99", "q16_", "fixed", "u31"}) {
+    const auto run = command::fixproof(fmt::format("eval mul --format {}", format));
+    EXPECT_EQ(run.err.find("did you mean"), std::string::npos) << run.err;
+    EXPECT_EQ(run.status, 2);
+  }
+}
+
 TEST(Usage, HelpIsACommandToo) {
   EXPECT_EQ(command::output_of("help"), command::output_of("--help"));
-  EXPECT_EQ(command::output_of("help eval"), command::output_of("eval --help"));
+  const std::string help = command::output_of("eval --help");
+  for (const std::string_view other : {"help eval", "eval help", "eval -h", "help eval -h"}) {
+    EXPECT_EQ(command::output_of(other), help) << other;
+  }
+  EXPECT_EQ(command::output_of("help prove type"), command::output_of("prove type --help"));
+  EXPECT_EQ(command::output_of("eval --version"), command::output_of("--version"));
+  expect_refused("help evall", "unknown command: evall; did you mean eval?");
+}
+
+TEST(Usage, HelpBeginsWithExamples) {
+  const std::string help = command::output_of("help");
+  command::expect_contains(help, "\nStart here:\n  fixproof judge ");
+  command::expect_contains(help, "\nJudge your own code:\n");
+  EXPECT_EQ(command::output_of("eval mul --by oracle", "1.5 -0.25\n"), "ffffa000\n");
 }
 
 TEST(Usage, HelpIsNoError) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "judge/desync/compare.hpp"
+#include "support/strict_json.hpp"
 #include "tests/fixed/record/sim.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/paths.hpp"
@@ -43,6 +44,13 @@ class Causes : public testing::Test {
     const command::Run run = command::run({paths::command(), "desync", a(), b()});
     EXPECT_EQ(run.status, 1) << run.err;
     return run.out;
+  }
+
+  /// The same as JSON.
+  [[nodiscard]] nlohmann::json said_json() const {
+    const command::Run run = command::run({paths::command(), "desync", a(), b(), "--json", "-"});
+    EXPECT_EQ(run.status, 1) << run.err;
+    return fixproof::support::parse_strictly(run.out);
   }
 
  private:
@@ -102,6 +110,19 @@ TEST_F(Causes, ArgumentsThatAreComputedInAnotherOrder) {
   command::expect_contains(
       text, "\n14 (000e0000) is the result of operation 0 of A and of operation 1 of B.\n");
   EXPECT_EQ(text.find("memory"), std::string::npos) << text;
+  const auto json = said_json();
+  EXPECT_EQ(json["command"], "desync");
+  EXPECT_EQ(json["status"], "wrong");
+  const auto& difference = json["difference"];
+  EXPECT_EQ(difference["kind"], "evaluation");
+  EXPECT_EQ(difference["computed_in"],
+            nlohmann::json::parse(R"([{"value": "14 (000e0000)", "a": 0, "b": 1
+},
+                                      {"value": "7 (00070000)", "a": 1, "b": 0}])"));
+  ASSERT_EQ(difference["a"].size(), 3U);
+EXPECT_EQ(difference["a"][2]["differs"], true);
+EXPECT_EQ(difference["a"][2]["operation"], 2);
+command::expect_contains(text, std::string(difference["a"][2]["text"]));
 }
 
 TEST_F(Causes, SwappedOperands) {

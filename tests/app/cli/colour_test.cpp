@@ -1,0 +1,70 @@
+// Tests the colours of verdicts, where they are wanted.
+#include <cstdlib>
+#include <initializer_list>
+#include <string>
+#include <utility>
+
+#include "tests/support/command.hpp"
+#include "tests/support/paths.hpp"
+#include "tests/support/test.hpp"
+
+namespace {
+
+/// Runs the command with these variables set.
+command::Run with(std::initializer_list<std::string> variables, std::vector<std::string> words) {
+  std::vector<std::string> all{"env", "-u", "NO_COLOR", "-u", "CLICOLOR_FORCE"};
+  all.insert(all.end(), variables);
+  all.push_back(paths::command());
+  all.insert(all.end(), words.begin(), words.end());
+  return command::run(all);
+}
+
+const std::vector<std::string> wrong{
+    "judge", "--run", "sed s/.*/00000000/", "--as", "mul", "--rounding", "floor", "--cases", "50"};
+
+TEST(Colour, IsForcedOutsideOfATerminal) {
+  const auto run = with({"CLICOLOR_FORCE=1"}, wrong);
+  EXPECT_EQ(run.status, 1);
+  command::expect_contains(run.out, "\n\x1b[31mWRONG\x1b[0m in ");
+  command::expect_contains(with({"CLICOLOR_FORCE=1"}, {"verify", "sqrt"}).out,
+                           "  \x1b[32mequal\x1b[0m\n");
+}
+
+TEST(Colour, IsInNoPipe) {
+  for (const auto& run : {with({}, wrong), with({"NO_COLOR=1", "CLICOLOR_FORCE=1"}, wrong),
+                          with({"CLICOLOR_FORCE=0"}, wrong)}) {
+    EXPECT_EQ(run.out.find('\x1b'), std::string::npos) << run.out;
+    command::expect_contains(run.out, "\nWRONG in ");
+  }
+}
+
+// Help explains the verdicts, and JSON is for programs.
+TEST(Colour, IsNotInHelpOrJson) {
+  EXPECT_EQ(with({"CLICOLOR_FORCE=1"}, {"judge", "--help"}).out.find('\x1b'), std::string::npos);
+  auto words = wrong;
+  words.insert(words.end(), {"--json", "-"});
+  EXPECT_EQ(with({"CLICOLOR_FORCE=1"}, words).out.find('\x1b'), std::string::npos);
+  const auto run = with({"CLICOLOR_FORCE=1"}, {"check", "add", "--rounding", "floor", "--cases",
+                                               "1", "--json", "-", "/dev/null"});
+  EXPECT_EQ(run.out, "");
+}
+
+TEST(Help, FitsTheWidthOfTheTerminal) {
+  const std::string wide = command::output_of("eval --help");
+  const auto narrow = with({"COLUMNS=80"}, {"eval", "--help"});
+  std::string described;
+  for (const std::string& line : command::split(narrow.out, '\n')) {
+    if (line.starts_with("Exit status") || line.starts_with("Usage")) break;
+    if (line.starts_with("   ")) EXPECT_LE(line.size(), 80U) << line;
+  }
+  EXPECT_NE(narrow.out, wide);
+  // No word is lost.
+  const auto words = [](std::string text) {
+    std::erase(text, ' ');
+    std::erase(text, '\n');
+    return text;
+  };
+  EXPECT_EQ(words(narrow.out), words(wide));
+}
+
+}  // namespace
