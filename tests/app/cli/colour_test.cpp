@@ -44,19 +44,18 @@ TEST(Colour, IsNotInHelpOrJson) {
   auto words = wrong;
   words.insert(words.end(), {"--json", "-"});
   EXPECT_EQ(with({"CLICOLOR_FORCE=1"}, words).out.find('\x1b'), std::string::npos);
-  const auto run = with({"CLICOLOR_FORCE=1"}, {"check", "add", "--rounding", "floor", "--cases",
-                                               "1", "--json", "-", "/dev/null"});
-  EXPECT_EQ(run.out, "");
 }
 
 TEST(Help, FitsTheWidthOfTheTerminal) {
   const std::string wide = command::output_of("eval --help");
   const auto narrow = with({"COLUMNS=80"}, {"eval", "--help"});
-  std::string described;
+  std::size_t continued = 0;
   for (const std::string& line : command::split(narrow.out, '\n')) {
-    if (line.starts_with("Exit status") || line.starts_with("Usage")) break;
-    if (line.starts_with("   ")) EXPECT_LE(line.size(), 80U) << line;
+    if (!line.starts_with(std::string(30, ' '))) continue;
+    ++continued;
+    EXPECT_LE(line.size(), 80U) << line;
   }
+  EXPECT_GT(continued, 0U);
   EXPECT_NE(narrow.out, wide);
   // No word is lost.
   const auto words = [](std::string text) {
