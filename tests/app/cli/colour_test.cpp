@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "tests/support/command.hpp"
 #include "tests/support/paths.hpp"
@@ -11,7 +11,8 @@
 namespace {
 
 /// Runs the command with these variables set.
-command::Run with(std::initializer_list<std::string> variables, std::vector<std::string> words) {
+command::Run run_with(std::initializer_list<std::string> variables,
+                      std::vector<std::string> words) {
   std::vector<std::string> all{"env", "-u", "NO_COLOR", "-u", "CLICOLOR_FORCE"};
   all.insert(all.end(), variables);
   all.push_back(paths::command());
@@ -19,20 +20,21 @@ command::Run with(std::initializer_list<std::string> variables, std::vector<std:
   return command::run(all);
 }
 
-const std::vector<std::string> wrong{
+const std::vector<std::string> judge_zeros{
     "judge", "--run", "sed s/.*/00000000/", "--as", "mul", "--rounding", "floor", "--cases", "50"};
 
 TEST(Colour, IsForcedOutsideOfATerminal) {
-  const auto run = with({"CLICOLOR_FORCE=1"}, wrong);
+  const auto run = run_with({"CLICOLOR_FORCE=1"}, judge_zeros);
   EXPECT_EQ(run.status, 1);
   command::expect_contains(run.out, "\n\x1b[31mWRONG\x1b[0m in ");
-  command::expect_contains(with({"CLICOLOR_FORCE=1"}, {"verify", "sqrt"}).out,
+  command::expect_contains(run_with({"CLICOLOR_FORCE=1"}, {"verify", "sqrt"}).out,
                            "  \x1b[32mequal\x1b[0m\n");
 }
 
 TEST(Colour, IsInNoPipe) {
-  for (const auto& run : {with({}, wrong), with({"NO_COLOR=1", "CLICOLOR_FORCE=1"}, wrong),
-                          with({"CLICOLOR_FORCE=0"}, wrong)}) {
+  for (const auto& run :
+       {run_with({}, judge_zeros), run_with({"NO_COLOR=1", "CLICOLOR_FORCE=1"}, judge_zeros),
+        run_with({"CLICOLOR_FORCE=0"}, judge_zeros)}) {
     EXPECT_EQ(run.out.find('\x1b'), std::string::npos) << run.out;
     command::expect_contains(run.out, "\nWRONG in ");
   }
@@ -40,15 +42,16 @@ TEST(Colour, IsInNoPipe) {
 
 // Help explains the verdicts, and JSON is for programs.
 TEST(Colour, IsNotInHelpOrJson) {
-  EXPECT_EQ(with({"CLICOLOR_FORCE=1"}, {"judge", "--help"}).out.find('\x1b'), std::string::npos);
-  auto words = wrong;
+  EXPECT_EQ(run_with({"CLICOLOR_FORCE=1"}, {"judge", "--help"}).out.find('\x1b'),
+            std::string::npos);
+  auto words = judge_zeros;
   words.insert(words.end(), {"--json", "-"});
-  EXPECT_EQ(with({"CLICOLOR_FORCE=1"}, words).out.find('\x1b'), std::string::npos);
+  EXPECT_EQ(run_with({"CLICOLOR_FORCE=1"}, words).out.find('\x1b'), std::string::npos);
 }
 
 TEST(Help, FitsTheWidthOfTheTerminal) {
   const std::string wide = command::output_of("eval --help");
-  const auto narrow = with({"COLUMNS=80"}, {"eval", "--help"});
+  const auto narrow = run_with({"COLUMNS=80"}, {"eval", "--help"});
   std::size_t continued = 0;
   for (const std::string& line : command::split(narrow.out, '\n')) {
     if (!line.starts_with(std::string(30, ' '))) continue;
