@@ -61,7 +61,7 @@ def policy(driver):
 
 def failures(driver):
     """A page whose module does not start, or stops, says so."""
-    driver.get(injected("broken.html", 'id="module">H4sI', 'id="module">AAAA'))
+    driver.get(injected("broken.html", 'id="module">', 'id="module">A'))
     wait(driver, "an alert", lambda: text(driver, "[role=alert]").startswith("The module did not start: "))
     open_page(driver)
     driver.execute_script("dispatchEvent(new ErrorEvent('error', {message: 'unreachable'}))")
