@@ -16,7 +16,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 # A script comes after the scripts that it imports.
-ORDER = ("wasm", "state", "parts", "number", "operation", "trace", "scenes", "cases", "main")
+ORDER = ("wasm", "state", "parts", "number", "formula", "operation", "trace", "scenes", "cases", "main")
 IMPORT = re.compile(r'^import (\{.*\}) from "(?:\./|\.\./vendor/)([\w-]+)\.m?js";$', re.M)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const) (\w+))", re.M)
 

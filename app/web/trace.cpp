@@ -169,6 +169,9 @@ void write_run(Json& json, const Run& run) {
     }
   });
   json.field("steps", run.snapshots.size() - 1);
+  json.array("positions", [&] {
+    for (const Snapshot& each : run.snapshots) json.element(each.position);
+  });
   json.field("returns", !run.lacks_instruction && run.ending.outcome == x86::Outcome::returned);
   json.field("ending", ending_of(run));
   json.field("stopped", run.ending.position);

@@ -36,4 +36,14 @@ for (let i = 0; i < 20_000; ++i) {
     process.exit(1);
   }
 }
+// Requests for many cases are answered as text. A malformed one has no answer.
+for (let i = 0; i < 2000; ++i) {
+  const lines = [[one(["mul", "div", junk()]), format(), one(["0", "6", "7", "-1", junk()])].join(" "), number(), junk()];
+  try {
+    module.text("answers", lines.join("\n"));
+  } catch (error) {
+    console.log(`answers ${JSON.stringify(lines)}: ${error.message}`);
+    process.exit(1);
+  }
+}
 console.log("20,000 requests answered");
