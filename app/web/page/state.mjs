@@ -9,6 +9,7 @@ export const defaults = {
   keep: "value",
   op: "mul", in: "q16_16", a: "0xffffffff", b: "0.5", formula: SAMPLE,
   routine: "mul", build: "i386-on", beside: "i8088-on", operands: "-0.5 1.5", step: "0", breaks: "",
+  code: "", registers: "",
   scene: "twelve_cubes", arithmetic: "i8088-on", against: "double", show: "difference", play: "yes", frame: "0",
 };
 

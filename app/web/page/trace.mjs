@@ -51,13 +51,13 @@ function wrongCount(boxes, texts) {
   return `${label}: type ${count} ${count === 1 ? "number" : "numbers"}, not ${numbersIn(texts[at]).length}.`;
 }
 
-// The last recorded trace. A change of the routine, a build or the operands records it again.
+// The last recorded trace. A change of the routine, a build, the operands or the code records it again.
 let recorded = { key: "", answer: null };
 function recording(module, state, wrong) {
-  const key = [state.routine, state.build, state.beside, state.operands].join("\n");
+  const request = [state.routine, state.build, state.beside, state.operands, state.registers, state.code];
+  const key = request.join("\n");
   if (recorded.key === key) return recorded;
-  const answer = wrong ? { error: wrong }
-    : module.ask("trace", state.routine, state.build, state.beside, state.operands);
+  const answer = wrong ? { error: wrong } : module.ask("trace", ...request);
   recorded = { key, error: answer.error, answer: answer.error ? recorded.answer : answer };
   return recorded;
 }
@@ -107,13 +107,14 @@ const cell = ({ address, value, changed, sp, depth }, loop) =>
 
 const returned = ({ word, value }) => html`<span class="code">${word}</span> (${short(value, 24)}) `;
 
-function runView(run, now, breaks, toggle) {
-  const memory = `${run.loop ? "Pixels and depths" : "Stack and operands in memory"}, ${buildName(run.name)}`;
+function runView(run, now, breaks, toggle, edited) {
+  const name = buildName(run.name) + (edited ? ", edited" : "");
+  const memory = `${run.loop ? "Pixels and depths" : "Stack and operands in memory"}, ${name}`;
   const ending = !run.returns ? html`<strong>${run.ending}</strong>`
     : run.result.length ? html`Returns ${run.result.map(returned)}` : run.ending;
   return html`<article class="run">
-    <h3>${buildName(run.name)}</h3>
-    <ol class="listing code" tabindex="0" aria-label="Listing, ${buildName(run.name)}">
+    <h3>${name}</h3>
+    <ol class="listing code" tabindex="0" aria-label="Listing, ${name}">
       ${run.listing.map((row, i) => instruction(run, now, i, row, breaks(i), () => toggle(i)))}</ol>
     <p class="code">step ${now.step} of ${run.steps}, ${now.clocks} clocks</p>
     <dl class="registers code">${now.registers.map(changing)}</dl>
@@ -123,6 +124,25 @@ function runView(run, now, breaks, toggle) {
     <p class="ending">${now.step === run.steps ? ending : ""}</p>
   </article>`;
 }
+
+const codeOf = ({ listing }) =>
+  listing.map(({ text, label }) => (label ? `${label}:\n` : "") + `    ${text}`).join("\n");
+
+// The code of the first build, to change. The second build stays as it is, so that both can be compared.
+const editor = (state, run, update) => html`
+  <details class="editor" ?open=${state.code !== "" || state.registers !== ""}>
+    <summary>Edit the code and the registers of the first build</summary>
+    <label class="choice"><span>Instructions, as in the listing, with labels before a colon</span>
+      <textarea name="Code" rows="14" spellcheck="false" autocomplete="off" autocapitalize="off" .value=${
+        state.code || codeOf(run)} @input=${(e) => update({ code: e.target.value, step: "0" })}></textarea></label>
+    <div class="choices">
+      ${input("Registers on entry, such as cx=1234 ebx=ffff8000", state.registers,
+        (registers) => update({ registers, step: "0" }))}
+      <button name="undoedits" ?disabled=${state.code === "" && state.registers === ""}
+        @click=${() => update({ ...unedited, step: "0" })}>As printed</button>
+    </div>
+  </details>`;
+const unedited = { code: "", registers: "" };
 
 function stepKeys(event, go, toggle) {
   if (event.key === "b") toggle();
@@ -138,7 +158,7 @@ export function traceView(module, state, update) {
   const named = builds.map((name) => [name, buildName(name)]);
   const chooseRoutine = (routine) => {
     const of = module.ask("routines")[routine];
-    update({ routine, operands: sampleOperands[routine], build: of[0], beside: "none", step: "0", breaks: "" });
+    update({ routine, operands: sampleOperands[routine], build: of[0], beside: "none", ...fresh });
   };
   const [boxes, unit] = known ? operandsOf[state.routine] : [[], ""];
   const texts = boxesOf(boxes, state.operands);
@@ -149,6 +169,7 @@ export function traceView(module, state, update) {
   };
   const step = answer ? stepOf(answer, state.step) : 0;
   const go = (by) => update({ step: String(Math.max(0, Math.min(lastStep(answer), step + by))) });
+  const fresh = { step: "0", breaks: "", ...unedited };
   const breaks = breaksOf(state);
   const toggle = (run, i) => update(toggled(state, `${run}.${i}`));
   const toggleHere = () => step > 0 && toggle(0, answer.runs[0].positions[Math.min(step, answer.runs[0].steps)]);
@@ -157,7 +178,7 @@ export function traceView(module, state, update) {
     <h2>A routine, instruction by instruction</h2>
     <div class="choices">
       ${select("Routine", state.routine, routineNames, chooseRoutine)}
-      ${select("Build", state.build, named, (build) => update({ build, step: "0", breaks: "" }))}
+      ${select("Build", state.build, named, (build) => update({ build, ...fresh }))}
       ${select("Beside", state.beside, [["none", "nothing"], ...named], (beside) => update({ beside, step: "0", breaks: "" }))}
     </div>
     <div class="choices operands">
@@ -180,8 +201,8 @@ export function traceView(module, state, update) {
           @input=${(e) => update({ step: e.target.value })}>
       </div>
       <div class="runs">${answer.runs.map((run, i) => runView(run, module.ask("state", i, step),
-        (at) => breaks.has(`${i}.${at}`), (at) => toggle(i, at)))}</div></div>`
-      : nothing}`;
+        (at) => breaks.has(`${i}.${at}`), (at) => toggle(i, at), i === 0 && state.code !== ""))}</div>
+      ${editor(state, answer.runs[0], update)}</div>` : nothing}`;
 }
 
 // Scrolls the listing, but not the page, to keep the current instruction in sight.

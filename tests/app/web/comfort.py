@@ -135,7 +135,70 @@ def breakpoints(driver):
     expect_equal(pressed, [6], "breakpoints that are left")
 
 
+def code(driver, text):
+    box = driver.find_element(By.CSS_SELECTOR, "textarea[name=Code]")
+    driver.execute_script("""
+        arguments[0].value = arguments[1];
+        arguments[0].dispatchEvent(new Event('input'));""", box, text)
+
+
+def problem(driver):
+    return text(driver, "#view .problem")
+
+
+def returned(driver):
+    button(driver, "end").click()
+    return [" ".join(e.text.split()) for e in driver.find_elements(By.CSS_SELECTOR, ".ending")]
+
+
+def editor(driver):
+    """Code that a visitor types runs beside the build's own, and what is wrong with it is said."""
+    for routine, build in (("mul", "i386-on"), ("div", "i8088-on"), ("cossin", "i386"), ("concat", "i8088-on"),
+                           ("xformvec", "i386-off"), ("gouraud", "word-i386-loop"), ("depth", "i386-loop-printed"),
+                           ("texture", "i8088-dec-jnz")):
+        # The listing, typed again, is the same program: no step differs.
+        open_page(driver, "#view=trace")
+        choose(driver, "Routine", routine)
+        choose(driver, "Build", build)
+        choose(driver, "Beside", build)
+        driver.find_element(By.CSS_SELECTOR, ".editor summary").click()
+        code(driver, driver.execute_script("return document.querySelector('textarea').value + '\\n'"))
+        expect_equal(problem(driver), "", f"the listing of {routine}, {build}")
+        expect_equal(button(driver, "differs").is_enabled(), False, f"{routine}, {build}, typed again, differs")
+        runs = returned(driver)
+        expect(len(runs) == 2 and runs[0] == runs[1], f"{routine}, {build}: {runs}")
+    open_page(driver, "#view=trace&routine=mul&build=i386-on&beside=i386-on&operands=0xffffffff+0.5")
+    driver.find_element(By.CSS_SELECTOR, ".editor summary").click()
+    # Without the half unit, the product is rounded down.
+    listing = driver.execute_script("return document.querySelector('textarea').value")
+    code(driver, "\n".join(line for line in listing.splitlines() if "0x8000" not in line and "adc" not in line))
+    expect_equal(returned(driver), ["Returns ffffffff (-0.0000152587890625)", "Returns 00000000 (0)"], "without a half")
+    button(driver, "differs").click()
+    expect("step 5 of 7" in text(driver, ".run"), f"the first difference: {text(driver, '.run p')}")
+    wait(driver, "the code in the address", lambda: "code=" in driver.current_url)
+    link = driver.current_url.split("#")[1]
+    open_page(driver, f"#{link}")
+    expect_equal(returned(driver)[0], "Returns ffffffff (-0.0000152587890625)", "a link to edited code")
+    button(driver, "undoedits").click()
+    expect_equal(returned(driver)[0], "Returns 00000000 (0)", "as printed")
+    # Registers on entry, and a label.
+    code(driver, "FixedMul: dec cx\n    jnz .FixedMul\n    sub ax, ax\n    inc cx\n    add ax, cx\n    ret")
+    write(driver, "Registers on entry, such as cx=1234 ebx=ffff8000", "cx=3 edx=5")
+    expect_equal(returned(driver)[0], "Returns 00050001 (5.0000152587890625)", "a loop of three")
+    expect("step 10 of 10" in text(driver, ".run"), text(driver, ".run p"))
+    for typed, said in (("jmp .x", "There is no label x."), ("x: jmp .x", ""), ("mov al, [bp+4", "'[bp+4' is no operand"),
+                        ("hlt", "the model has no such instruction"), ("mov ax, 7", "no listing for this processor has 'mov r/m16, imm'"),
+                        ("mov ax, [ax]", "'[ax]' is no operand")):
+        code(driver, typed)
+        expect(said in problem(driver) and bool(said) == bool(problem(driver)), f"{typed}: {problem(driver)}")
+        if not said:
+            expect_equal(returned(driver)[0], "Still runs after 10,000 instructions.", typed)
+    code(driver, "ret")
+    write(driver, "Registers on entry, such as cx=1234 ebx=ffff8000", "sp=3")
+    expect("other than SP" in problem(driver), problem(driver))
+
+
 def comfort(driver):
     """What saves a visitor work."""
-    for check in (places, steps, rows, copies, undo, breakpoints):
+    for check in (places, steps, rows, copies, undo, breakpoints, editor):
         check(driver)
