@@ -162,9 +162,8 @@ def follow(driver, name):
 
 def builds(driver):
     """Returns the words of the builds of FIXED.ASM in the view of an operation. All parties must agree."""
-    expect("differ" not in text(driver, "#view"), "the parties differ")
-    tables = driver.find_elements(By.CSS_SELECTOR, "#view table")
-    rows = tables[-1].find_elements(By.CSS_SELECTOR, "tbody tr")
+    expect(not driver.find_elements(By.CSS_SELECTOR, "#view .differs"), "the parties differ")
+    rows = driver.find_elements(By.CSS_SELECTOR, "#view [aria-label='Build of FIXED.ASM'] tbody tr")
     return [row.find_elements(By.TAG_NAME, "td")[0].text for row in rows]
 
 
@@ -264,8 +263,8 @@ def keyboard(driver):
     for view in VIEWS:
         open_page(driver, f"#view={view}&play=no")
         # The rows of a table or listing whose buttons Tab skips have a list or a key that does the same.
-        controls = """[...document.querySelectorAll('a, button:not([disabled]), input, select, summary, [tabindex]')]
-            .filter((e) => e.tabIndex >= 0)"""
+        controls = """[...document.querySelectorAll('a, button:not([disabled]), input, select, summary, textarea, [tabindex]')]
+            .filter((e) => e.tabIndex >= 0 && e.checkVisibility())"""
         driver.execute_script(f"{controls}.forEach((e, i) => {{ e.dataset.control = i; }}); document.body.focus()")
         wanted = driver.execute_script(f"return {controls}.length")
         reached = set()
