@@ -73,8 +73,9 @@ bool add_part(Operand& address, std::string_view part) {
        {"ZBuff", x86::Symbol::z_buff}}};
   for (const auto& [name, symbol] : symbols) {
     if (name != part) continue;
+    const bool is_first = address.symbol == x86::Symbol::none;
     address.symbol = symbol;
-    return true;
+    return is_first;
   }
   const bool twice = part.ends_with("*2");
   if (const auto reg = register_of(twice ? part.substr(0, part.size() - 2) : part)) {
@@ -88,8 +89,9 @@ bool add_part(Operand& address, std::string_view part) {
     return true;
   }
   const auto value = number_in(part);
+  const bool is_first = address.value == 0;
   address.value = value.value_or(0);
-  return value.has_value();
+  return value && is_first;
 }
 
 /// Returns what is between brackets, without its size.
@@ -111,6 +113,7 @@ std::optional<Operand> operand_in(std::string_view text, x86::Mnemonic mnemonic)
   if (const auto reg = register_of(text)) return reg;
   if (x86::is_control_flow(mnemonic) && mnemonic != x86::Mnemonic::ret) {
     skip(text, ".");
+    if (text.empty()) return std::nullopt;
     return Operand{.kind = Operand::Kind::label, .name = text.data()};
   }
   x86::Size size = x86::Size::none;
