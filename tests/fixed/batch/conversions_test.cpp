@@ -112,8 +112,12 @@ Conversion<Float> conversion() {
             return fixproof::batch::from_floats(x, numbers<N>(out, x.size()), how);
           },
           [](Float x) -> std::optional<Word> {
-            using Loud = fixproof::number<typename N::raw_type, N::fraction_bits, loud(N::rules)>;
-            if (expected_from<Loud>(x).fault != Fault::none) return std::nullopt;
+            constexpr fixproof::policy rules = [](fixproof::policy p) {
+              p.range = fixproof::overflow::trap;
+              return p;
+            }(N::rules);
+            using Trapping = fixproof::number<typename N::raw_type, N::fraction_bits, rules>;
+            if (expected_from<Trapping>(x).fault != Fault::none) return std::nullopt;
             return fixproof::vectorizable_from<N>(x).raw();
           },
           [](Word x) { return static_cast<Float>(number_of<N>(x)); },
