@@ -22,9 +22,10 @@ std::optional<Operation> operation_named(std::string_view name);
 
 /// The rounding rules, with the type's default first.
 inline constexpr std::array rules{rounding::half_up, rounding::half_away, rounding::half_even,
-                                  rounding::floor, rounding::truncate};
-inline constexpr std::array<std::string_view, 5> rule_names{
-    "half up", "half away from zero", "half to even", "down (floor)", "toward zero"};
+                                  rounding::floor,   rounding::ceiling,   rounding::truncate};
+inline constexpr std::array<std::string_view, rules.size()> rule_names{
+    "half up",      "half away from zero", "half to even",
+    "down (floor)", "up (ceiling)",        "toward zero"};
 
 /// What a format reads from a decimal text.
 struct Reading {

@@ -32,6 +32,10 @@ class Json {
     separate();
     quote(text);
   }
+  void element(std::integral auto value) {
+    separate();
+    text_ += std::to_string(value);
+  }
   void field(std::string_view name, std::string_view text) {
     key(name);
     quote(text);

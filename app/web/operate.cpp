@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 
+#include "app/input/number.hpp"
 #include "app/web/builds.hpp"
 #include "app/web/json.hpp"
 #include "app/web/operand.hpp"
@@ -16,9 +17,9 @@ namespace {
 
 using oracle::Integer;
 
-constexpr std::array oracle_rules{oracle::Rounding::half_up, oracle::Rounding::half_away,
+constexpr std::array oracle_rules{oracle::Rounding::half_up,   oracle::Rounding::half_away,
                                   oracle::Rounding::half_even, oracle::Rounding::floor,
-                                  oracle::Rounding::truncate};
+                                  oracle::Rounding::ceiling,   oracle::Rounding::truncate};
 
 /// Returns the exact result in units, as a fraction. Returns nothing for a zero divisor, and for a
 /// root, which may be irrational.
@@ -185,11 +186,18 @@ std::string operation_view(std::string_view request) {
 
 std::string answers(std::string_view request) {
   const auto lines = lines_of(request);
-  const std::size_t space = lines[0].find(' ');
-  const auto operation = operation_named(lines[0].substr(0, space));
-  const NumberFormat* const format =
-      space == std::string_view::npos ? nullptr : format_named(lines[0].substr(space + 1));
+  const auto wanted = input::parts_of(lines[0]);
+  if (wanted.size() < 2 || wanted.size() > 3) return {};
+  const auto operation = operation_named(wanted[0]);
+  const NumberFormat* const format = format_named(wanted[1]);
   if (!operation || format == nullptr) return {};
+  NumberFormat::Answer answer_of = format->answer[0];
+  if (wanted.size() == 3) {
+    std::size_t rule = 0;
+    const char* const end = wanted[2].data() + wanted[2].size();
+    if (std::from_chars(wanted[2].data(), end, rule).ptr != end || rule > rules.size()) return {};
+    answer_of = rule == rules.size() ? format->saturated : format->answer.at(rule);
+  }
   std::string text;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     std::array<std::uint64_t, 2> words{};
@@ -201,7 +209,7 @@ std::string answers(std::string_view request) {
       at = stop == end ? end : stop + 1;
     }
     if (at != end) return {};
-    const auto answer = format->answer[0](*operation, words[0], words[1]);
+    const auto answer = answer_of(*operation, words[0], words[1]);
     text += answer ? hex(*answer, format->format.word_bits) : "DE";
     text += '\n';
   }

@@ -13,9 +13,10 @@ namespace fixproof::web {
 /// @return JSON; `error` says what is wrong with the request
 std::string operation_view(std::string_view request);
 
-/// Computes cases by the type's default rules.
-/// @param request a line with operation and format, then one case per line, with its words in
-/// hexadecimal
+/// Computes cases by the type's default rules, or by another rounding.
+/// @param request a line with operation, format and, for another rounding, its place among `rules`;
+/// the place after the last one means the first rule, saturating. Then one case per line, with its
+/// words in hexadecimal
 /// @return one word per line, or `DE` for a zero divisor; nothing for a malformed request
 std::string answers(std::string_view request);
 

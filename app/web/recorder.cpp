@@ -71,15 +71,30 @@ void run_recorded(Run& run, M& machine, std::uint64_t limit, const Read& read) {
   if (run.lacks_instruction) run.ending.position = recorder.stopped();
 }
 
+/// Puts typed code in place of the build's.
+void take_code(Run& run, Edit& edit) {
+  if (edit.code.empty()) return;
+  run.code = std::move(edit.code);
+  run.names = std::move(edit.names);
+}
+
+template <class M>
+void set_registers(M& machine, const Edit& edit) {
+  for (const auto& [reg, value] : edit.registers) {
+    machine.registers.write(reg, x86::Size::dword, value);
+  }
+}
+
 template <x86::Routine routine>
-void call_recorded(Run& run, std::span<const std::uint32_t> in) {
+void call_recorded(Run& run, std::span<const std::uint32_t> in, const Edit& edit) {
   x86::CallMachine<routine, 16> machine;
   x86::enter<routine>(machine, in);
+  set_registers(machine, edit);
   std::uint32_t word = 0;
   for (std::uint32_t address = 0; machine.memory.read(address, word); address += 2) {
     run.cells.push_back({address});
   }
-  run_recorded(run, machine, 100'000, [](const auto& m, const Cell& cell) {
+  run_recorded(run, machine, most_of_routine, [](const auto& m, const Cell& cell) {
     std::uint32_t read = 0;
     m.memory.read(cell.address, read);
     return static_cast<std::uint16_t>(read);
@@ -134,7 +149,8 @@ std::vector<std::string> builds_of(x86::Routine routine) {
   return builds;
 }
 
-Run record(x86::Routine routine, std::string_view build, std::span<const std::uint32_t> in) {
+Run record(x86::Routine routine, std::string_view build, std::span<const std::uint32_t> in,
+           Edit edit) {
   Run run{.name = std::string(build),
           .target = build.starts_with("i386") ? x86::Target::i386 : x86::Target::i8088};
   const bool rounds = !contains(build, "-off");
@@ -147,7 +163,9 @@ Run record(x86::Routine routine, std::string_view build, std::span<const std::ui
                                               .shl_as_printed = contains(build, "-printed")});
   const auto code = program.instructions();
   run.code.assign(code.begin(), code.end());
-  x86::with_routine(routine, [&]<x86::Routine constant> { call_recorded<constant>(run, in); });
+  take_code(run, edit);
+  x86::with_routine(routine,
+                    [&]<x86::Routine constant> { call_recorded<constant>(run, in, edit); });
   return run;
 }
 
@@ -157,7 +175,7 @@ std::vector<std::string> builds_of_loop(std::string_view loop) {
   return builds;
 }
 
-Run record_loop(std::string_view loop, std::string_view build, x86::LoopCall call) {
+Run record_loop(std::string_view loop, std::string_view build, x86::LoopCall call, Edit edit) {
   x86::LoopForm form;
   for (const auto& [name, each] : forms_of(loop)) {
     if (name == build) form = each;
@@ -167,6 +185,7 @@ Run record_loop(std::string_view loop, std::string_view build, x86::LoopCall cal
           .code = x86::code_of(form),
           .is_loop = true,
           .cells = cells_of(form.loop, call.pixels)};
+  take_code(run, edit);
   constexpr std::size_t segment = 0x10000;
   std::vector<std::uint8_t> data(segment);
   std::vector<std::uint8_t> extra(segment);
@@ -181,6 +200,7 @@ Run record_loop(std::string_view loop, std::string_view build, x86::LoopCall cal
   call.colour = 0xFF;
   x86::LoopMachine machine{.registers = {}, .memory = x86::ByteMemory(data, extra, data)};
   x86::enter_loop(form, machine, call);
+  set_registers(machine, edit);
   const auto& drawn = tests ? data : extra;
   run_recorded(run, machine, most_instructions, [&](const auto& /*m*/, const Cell& cell) {
     const unsigned low = drawn[cell.address];

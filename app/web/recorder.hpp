@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/web/edit.hpp"
 #include "x86model/call_loop.hpp"
 #include "x86model/clocks.hpp"
 #include "x86model/routine.hpp"
@@ -37,6 +38,7 @@ struct Run {
   std::string name;
   x86model::Target target{};
   std::vector<x86model::Instruction> code{};
+  std::vector<std::string> names{};  ///< of labels that a person typed; the code points to them
   bool is_loop = false;  ///< an inner loop, which has cells for pixels instead of a result
   std::vector<Cell> cells{};
   std::vector<Snapshot> snapshots{};  ///< the first is the state on entry
@@ -51,9 +53,15 @@ struct Run {
 /// `i8088` and `i8088-printed`.
 std::vector<std::string> builds_of(x86model::Routine routine);
 
+/// A record of a routine ends after this many instructions. The listings take fewer; a typed one
+/// may never end.
+inline constexpr std::uint64_t most_of_routine = 10'000;
+
 /// Runs one of builds_of(routine) and records every state.
 /// @param in as many words as the routine takes
-Run record(x86model::Routine routine, std::string_view build, std::span<const std::uint32_t> in);
+/// @param edit the code and the registers in place of the build's
+Run record(x86model::Routine routine, std::string_view build, std::span<const std::uint32_t> in,
+           Edit edit);
 
 /// The inner loops by the names that the page has for them.
 inline constexpr std::array<std::string_view, 3> loop_names{"gouraud", "depth", "texture"};
@@ -73,7 +81,8 @@ inline constexpr std::uint64_t most_instructions = 1000;
 /// Screen, over a depth buffer of zeros. The other loops draw from 2800h in a segment of their own.
 /// A texel is the sum of its row and its column, modulo 256.
 /// @param call at most most_pixels pixels; its place and colour are ignored
-Run record_loop(std::string_view loop, std::string_view build, x86model::LoopCall call);
+/// @param edit the code and the registers in place of the build's
+Run record_loop(std::string_view loop, std::string_view build, x86model::LoopCall call, Edit edit);
 
 /// Returns the number of instructions after which the runs first differ, in the last instruction or
 /// in the state of the machine. Returns 0 if they do not differ.

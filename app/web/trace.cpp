@@ -5,6 +5,7 @@
 #include <charconv>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "app/input/number.hpp"
 #include "app/web/json.hpp"
@@ -41,7 +42,9 @@ std::string ending_of(const Run& run) {
       return "Stops: " + place + " reads a flag that Intel leaves undefined.";
     case x86::Outcome::step_limit:
       static_assert(most_instructions == 1000);
-      return run.is_loop ? "Still draws after 1,000 instructions." : "Does not end.";
+      static_assert(most_of_routine == 10'000);
+      return run.is_loop ? "Still draws after 1,000 instructions."
+                         : "Still runs after 10,000 instructions.";
     default:
       return "Stops: " + place + " accesses memory outside its segment.";
   }
@@ -130,10 +133,11 @@ struct Wanted {
   x86::Routine routine{};
   std::vector<std::uint32_t> words{};
   x86::LoopCall call{};
+  Edit edit{};  ///< of the first build
 };
 
 Wanted wanted_by(std::span<const std::string_view> lines) {
-  if (lines.size() != 4) return {.error = "Choose a routine, builds and operands."};
+  if (lines.size() < 4) return {.error = "Choose a routine, builds and operands."};
   const auto* const named = std::find(routine_names.begin(), routine_names.end(), lines[0]);
   const bool is_routine = named != routine_names.end();
   Wanted wanted{.is_loop =
@@ -153,6 +157,12 @@ Wanted wanted_by(std::span<const std::string_view> lines) {
       (!is_known(lines[1]) || (lines[2] != "none" && !is_known(lines[2])))) {
     wanted.error = "The routine has no such build. Choose another.";
   }
+  if (wanted.error.empty() && lines.size() > 4) {
+    const bool i386 = lines[1].find("i386") != std::string_view::npos;
+    wanted.edit =
+        edit_of(lines[4], lines.subspan(5), i386 ? x86::Target::i386 : x86::Target::i8088);
+    wanted.error = wanted.edit.error;
+  }
   return wanted;
 }
 
@@ -169,6 +179,9 @@ void write_run(Json& json, const Run& run) {
     }
   });
   json.field("steps", run.snapshots.size() - 1);
+  json.array("positions", [&] {
+    for (const Snapshot& each : run.snapshots) json.element(each.position);
+  });
   json.field("returns", !run.lacks_instruction && run.ending.outcome == x86::Outcome::returned);
   json.field("ending", ending_of(run));
   json.field("stopped", run.ending.position);
@@ -252,7 +265,7 @@ std::string routines() {
 
 std::string trace(std::string_view request) {
   const auto lines = lines_of(request);
-  const Wanted wanted = wanted_by(lines);
+  Wanted wanted = wanted_by(lines);
   Json json;
   json.object([&] {
     if (!wanted.error.empty()) {
@@ -262,8 +275,9 @@ std::string trace(std::string_view request) {
     runs.clear();
     for (const std::string_view build : {lines[1], lines[2]}) {
       if (build == "none") continue;
-      runs.push_back(wanted.is_loop ? record_loop(lines[0], build, wanted.call)
-                                    : record(wanted.routine, build, wanted.words));
+      Edit edit = runs.empty() ? std::move(wanted.edit) : Edit();
+      runs.push_back(wanted.is_loop ? record_loop(lines[0], build, wanted.call, std::move(edit))
+                                    : record(wanted.routine, build, wanted.words, std::move(edit)));
     }
     json.array("runs", [&] {
       for (const Run& run : runs) json.object([&] { write_run(json, run); });

@@ -13,7 +13,8 @@ namespace fixproof::web {
 std::string routines();
 
 /// Records one or two builds of a routine on the same operands.
-/// @param request four lines: routine, first build, second build or `none`, and operands. The
+/// @param request four lines: routine, first build, second build or `none`, and operands; then, to
+/// change the first build, its registers on entry, and lines of code that edit_of() reads. The
 /// operands are what operand_of() reads in 16.16, separated by spaces or commas. The operand of
 /// cossin is a whole number of tenths of a degree. Those of an inner loop are the number of pixels,
 /// its value and its step, for a texture also a row and its step; all but the first are read

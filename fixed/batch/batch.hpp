@@ -55,6 +55,38 @@
 #include "fixed/math.hpp"
 #include "fixed/number.hpp"
 
+namespace fixproof::detail {
+
+/// The dot product of at least one number, on a path.
+template <class Number>
+FIXED_ALWAYS_INLINE Number dot_in_blocks(const Number* x, const Number* y, std::size_t count,
+                                         batch::path use) {
+  std::conditional_t<rounds_modulo<Number>, std::uint64_t, wide_sum> sum{};
+  // The result is 0 only if there is no loop for the path, because count is above 0.
+  const std::size_t done = on_path<true>(use, [&](auto on) {
+    sum = on.template dot<decltype(sum)>(x, y, count);
+    return count;
+  });
+  if (done == 0) {
+    return apart([=] { return fixproof::dot(std::span(x, count), std::span(y, count)); });
+  }
+  if constexpr (rounds_modulo<Number>) {
+    return rounded_sum<Number>(sum);
+  } else {
+    return rounded_sum<Number>(
+        sum, [count] { raise<overflow_error>("overflow", "dot", term_count{count}); });
+  }
+}
+
+/// The same in a function of its own, so that short spans need no stack.
+template <class Number>
+FIXED_NOINLINE Number long_dot(const Number* x, const Number* y, std::size_t count,
+                               batch::path use) {
+  return dot_in_blocks(x, y, count, use);
+}
+
+}  // namespace fixproof::detail
+
 namespace fixproof::batch {
 
 /// out[i] = a[i] * b[i].
@@ -121,7 +153,10 @@ FIXED_ALWAYS_INLINE report sqrt(const Xs& x, Out&& out, const options& how = {})
     detail::element_t<Xs>::never_throws) {
   using Number = detail::element_t<Xs>;
   const std::size_t count = detail::batch_length(how, x, out);
-  return detail::run_batch<1, detail::has_root_lanes<Number>, Number::rules.range>(
+  // Under flags that promise AVX-512, the conversion that clang++ chooses for a single root waits for
+  // the root before it.
+  constexpr std::size_t few = detail::sure_of_masks && detail::loops_in_vectors ? 0 : 1;
+  return detail::run_batch<few, detail::has_root_lanes<Number>, Number::rules.range>(
       "sqrt", how, count,
       [](auto on, auto... args) {
         return on.template run<typename decltype(on)::template roots<typename Number::raw_type,
@@ -137,7 +172,7 @@ FIXED_ALWAYS_INLINE report sqrt(const Xs& x, Out&& out, const options& how = {})
 template <detail::number_range First, detail::input_of<detail::element_t<First>> Second>
 [[nodiscard]] FIXED_ALWAYS_INLINE detail::element_t<First> dot(
     const First& a, const Second& b,
-    path use = best()) noexcept(detail::element_t<First>::multiply_never_throws) {
+    path use = path::fastest) noexcept(detail::element_t<First>::multiply_never_throws) {
   using Number = detail::element_t<First>;
   if constexpr (!detail::has_lanes<Number> ||
                 !detail::has_wide_sum<typename Number::raw_type, Number::fraction_bits>) {
@@ -146,22 +181,13 @@ template <detail::number_range First, detail::input_of<detail::element_t<First>>
     const Number* const x = std::data(a);
     const Number* const y = std::data(b);
     const std::size_t count = detail::shortest(a, b);
-    std::conditional_t<detail::rounds_modulo<Number>, std::uint64_t, detail::wide_sum> sum{};
-    const auto each = [=] { return fixproof::dot(std::span(x, count), std::span(y, count)); };
-    constexpr std::size_t few = detail::sure_of_masks ? 1 : 4;  // that are faster one by one
-    if (count <= few) return each();
-    // The result is 0 only if there is no loop for the path, because count is above 0.
-    const std::size_t done = detail::on_path<true>(use, [&](auto on) {
-      sum = on.template dot<decltype(sum)>(x, y, count);
-      return count;
-    });
-    if (done == 0) return detail::apart(each);
-    if constexpr (detail::rounds_modulo<Number>) {
-      return detail::rounded_sum<Number>(sum);
+    // That are faster one by one.
+    constexpr std::size_t few = detail::sure_of_masks ? 1 : 8;
+    if (count <= few) return fixproof::dot(std::span(x, count), std::span(y, count));
+    if constexpr (detail::sure_of_masks) {
+      return detail::dot_in_blocks(x, y, count, use);
     } else {
-      return detail::rounded_sum<Number>(sum, [count] {
-        detail::raise<overflow_error>("overflow", "dot", detail::term_count{count});
-      });
+      return detail::long_dot(x, y, count, use);
     }
   }
 }

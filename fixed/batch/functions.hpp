@@ -45,164 +45,164 @@ namespace fixproof::batch {
 
 /// out[i] = fixproof::exp2(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void exp2(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void exp2(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_exp2>(use, out, x);
 }
 
 /// out[i] = fixproof::exp(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void exp(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void exp(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_exp>(use, out, x);
 }
 
 /// out[i] = fixproof::expm1(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 void expm1(const Xs& x, Out&& out,
-           path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+           path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_expm1>(use, out, x);
 }
 
 /// out[i] = fixproof::log(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void log(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void log(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_log>(use, out, x);
 }
 
 /// out[i] = fixproof::log1p(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 void log1p(const Xs& x, Out&& out,
-           path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+           path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_log1p>(use, out, x);
 }
 
 /// out[i] = fixproof::log2(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void log2(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void log2(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_log2>(use, out, x);
 }
 
 /// out[i] = fixproof::log10(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 void log10(const Xs& x, Out&& out,
-           path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+           path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_log10>(use, out, x);
 }
 
 /// out[i] = fixproof::sinh(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void sinh(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void sinh(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_sinh>(use, out, x);
 }
 
 /// out[i] = fixproof::cosh(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void cosh(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void cosh(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_cosh>(use, out, x);
 }
 
 /// out[i] = fixproof::tanh(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void tanh(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void tanh(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_tanh>(use, out, x);
 }
 
 /// out[i] = fixproof::sin_of_degrees(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 void sin_of_degrees(const Xs& x, Out&& out,
-                    path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+                    path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_sin_of_degrees>(use, out, x);
 }
 
 /// out[i] = fixproof::cos_of_degrees(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 void cos_of_degrees(const Xs& x, Out&& out,
-                    path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+                    path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_cos_of_degrees>(use, out, x);
 }
 
 /// out[i] = fixproof::tan_of_degrees(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 void tan_of_degrees(const Xs& x, Out&& out,
-                    path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+                    path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_tan_of_degrees>(use, out, x);
 }
 
 /// out[i] = fixproof::sin_of_turns(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 void sin_of_turns(const Xs& x, Out&& out,
-                  path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+                  path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_sin_of_turns>(use, out, x);
 }
 
 /// out[i] = fixproof::cos_of_turns(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 void cos_of_turns(const Xs& x, Out&& out,
-                  path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+                  path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_cos_of_turns>(use, out, x);
 }
 
 /// out[i] = fixproof::tan_of_turns(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 void tan_of_turns(const Xs& x, Out&& out,
-                  path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+                  path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_tan_of_turns>(use, out, x);
 }
 
 /// out[i] = fixproof::sin(x[i]) of radians. fixed/batch/radian.hpp has that of 16.16 and 8.8.
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 requires(!detail::has_radians_of<detail::element_t<Xs>>) void sin(
-    const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+    const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_sin>(use, out, x);
 }
 
 /// out[i] = fixproof::cos(x[i]) of radians. fixed/batch/radian.hpp has that of 16.16 and 8.8.
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 requires(!detail::has_radians_of<detail::element_t<Xs>>) void cos(
-    const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+    const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_cos>(use, out, x);
 }
 
 /// out[i] = fixproof::tan(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void tan(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void tan(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_tan>(use, out, x);
 }
 
 /// out[i] = fixproof::atan(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void atan(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void atan(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_atan>(use, out, x);
 }
 
 /// out[i] = fixproof::asin(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void asin(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void asin(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_asin>(use, out, x);
 }
 
 /// out[i] = fixproof::acos(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void acos(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void acos(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_acos>(use, out, x);
 }
 
 /// out[i] = fixproof::cbrt(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void cbrt(const Xs& x, Out&& out, path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+void cbrt(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_cbrt>(use, out, x);
 }
 
 /// out[i] = fixproof::rsqrt(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 void rsqrt(const Xs& x, Out&& out,
-           path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+           path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_rsqrt>(use, out, x);
 }
 
 /// out[i] = fixproof::reciprocal(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 void reciprocal(const Xs& x, Out&& out,
-                path use = best()) noexcept(detail::element_t<Xs>::never_throws) {
+                path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_reciprocal>(use, out, x);
 }
 
@@ -210,7 +210,7 @@ void reciprocal(const Xs& x, Out&& out,
 template <detail::number_range First, detail::input_of<detail::element_t<First>> Second,
           detail::output_of<detail::element_t<First>> Out>
 void atan2(const First& y, const Second& x, Out&& out,
-           path use = best()) noexcept(detail::element_t<First>::never_throws) {
+           path use = path::fastest) noexcept(detail::element_t<First>::never_throws) {
   detail::each_of<detail::of_atan2>(use, out, y, x);
 }
 
@@ -218,7 +218,7 @@ void atan2(const First& y, const Second& x, Out&& out,
 template <detail::number_range First, detail::input_of<detail::element_t<First>> Second,
           detail::output_of<detail::element_t<First>> Out>
 void hypot(const First& x, const Second& y, Out&& out,
-           path use = best()) noexcept(detail::element_t<First>::never_throws) {
+           path use = path::fastest) noexcept(detail::element_t<First>::never_throws) {
   detail::each_of<detail::of_hypot>(use, out, x, y);
 }
 
@@ -226,7 +226,7 @@ void hypot(const First& x, const Second& y, Out&& out,
 template <detail::number_range First, detail::input_of<detail::element_t<First>> Second,
           detail::output_of<detail::element_t<First>> Out>
 void pow(const First& x, const Second& y, Out&& out,
-         path use = best()) noexcept(detail::element_t<First>::never_throws) {
+         path use = path::fastest) noexcept(detail::element_t<First>::never_throws) {
   detail::each_of<detail::of_pow>(use, out, x, y);
 }
 

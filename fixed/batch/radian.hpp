@@ -61,14 +61,14 @@ namespace fixproof::batch {
 ///     std::vector<fixproof::q16_16> angles(1000), sines(1000);
 ///     fixproof::batch::sin(angles, sines);
 template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Results>
-void sin(const Angles& angles, Results&& results, path use = best()) noexcept {
+void sin(const Angles& angles, Results&& results, path use = path::fastest) noexcept {
   const std::size_t count = detail::shortest(angles, results);
   detail::sines(use, std::data(angles), std::data(results), count, 0);
 }
 
 /// results[i] = fixproof::cos(angles[i]); see sin().
 template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Results>
-void cos(const Angles& angles, Results&& results, path use = best()) noexcept {
+void cos(const Angles& angles, Results&& results, path use = path::fastest) noexcept {
   const std::size_t count = detail::shortest(angles, results);
   detail::sines(use, std::data(angles), std::data(results), count, detail::quarter_turn);
 }
@@ -77,7 +77,7 @@ void cos(const Angles& angles, Results&& results, path use = best()) noexcept {
 /// angles.
 template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Sines,
           detail::output_of<detail::element_t<Angles>> Cosines>
-void sin_cos(const Angles& angles, Sines&& sines, Cosines&& cosines, path use = best()) noexcept {
+void sin_cos(const Angles& angles, Sines&& sines, Cosines&& cosines, path use = path::fastest) noexcept {
   using Number = detail::element_t<Angles>;
   using raw = typename Number::raw_type;
   detail::check_radians<Number>();

@@ -34,24 +34,26 @@ template <template <class> class Transform, class Number, class From, class To>
 FIXED_ALWAYS_INLINE batch::report transform_all(
     const transform_rows<Number>& rows, const From& from, const To& to, std::size_t count,
     const batch::options& how) noexcept(Transform<Number>::never_throws) {
+  // One vertex is faster without a call.
+  if (count == 1) {
+    const auto one = transformed(Transform<Number>{rows}, load_tuple<Number, 3>(from, 0));
+    if (one.what == fault::none) {
+      store_tuple<Number, 3>(to, 0, one.raw);
+      return clean_report(how, 1);
+    }
+  }
   return run_recorded<1, has_lanes<Number>, Transform<Number>::range, divide_fault::none>(
       Transform<Number>::name, how, 0, count,
       [&](auto on, const recording& start) {
         return on.template transform<Transform>(rows, from, to, count, start.found);
       },
       [&](std::size_t done, fault_recorder& found) {
-        const auto rest = [&, done, count] {
+        apart([&, done, count] {
           each_tuple<Number, 3>(done, count, found, to,
                                 [&, by = Transform<Number>{rows}](std::size_t i) {
                                   return transformed(by, load_tuple<Number, 3>(from, i));
                                 });
-        };
-        // One vertex is faster without a call.
-        if (count == 1) {
-          rest();
-        } else {
-          apart(rest);
-        }
+        });
       });
 }
 

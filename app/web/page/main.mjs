@@ -17,6 +17,8 @@ const views = {
   cases: [casesView],
 };
 const place = document.getElementById("view");
+const undoButton = document.getElementById("undo");
+const redoButton = document.getElementById("redo");
 
 // A person who asks for less motion starts the scenes by hand.
 const still = matchMedia("(prefers-reduced-motion: reduce)").matches ? { play: "no" } : {};
@@ -26,6 +28,11 @@ let address = location.hash;
 let state = read(address);
 let module;
 let writing;
+// What the page showed before, and what it showed before a person undid it. Quick changes of one control are one step.
+const MOST_STEPS = 500;
+let past = [];
+let future = [];
+let last = { keys: "", time: 0 };
 
 function draw() {
   if (!Object.hasOwn(views, state.view)) state.view = defaults.view;
@@ -34,6 +41,8 @@ function draw() {
     link.href = hashOf({ ...state, view });
     link.setAttribute("aria-current", view === state.view ? "page" : "false");
   }
+  undoButton.disabled = !past.length;
+  redoButton.disabled = !future.length;
   const [view, after] = views[state.view];
   render(view(module, state, update), place);
   after?.(module, state, () => state);
@@ -43,7 +52,30 @@ function draw() {
 // A view changes the state, never the page itself. The address follows after a pause: Safari refuses more than 100
 // changes of it in 30 seconds, and a slider makes more.
 function update(changes) {
-  state = { ...state, ...changes };
+  remember(Object.keys(changes).join());
+  go({ ...state, ...changes });
+}
+
+function remember(keys) {
+  const time = performance.now();
+  if (keys !== last.keys || time - last.time > 700) past = [...past.slice(-MOST_STEPS), state];
+  last = { keys, time };
+  future = [];
+}
+
+// Moves a state from one list to the other.
+function travel(from, to) {
+  if (!from.length) return;
+  to.push(state);
+  last = { keys: "", time: 0 };
+  reopenScenes();
+  go(from.pop());
+}
+const undo = () => travel(past, future);
+const redo = () => travel(future, past);
+
+function go(next) {
+  state = next;
   clearTimeout(writing);
   writing = setTimeout(write, 200);
   draw();
@@ -62,7 +94,19 @@ function say(problem) {
   place.replaceChildren(text);
 }
 
+undoButton.addEventListener("click", undo);
+redoButton.addEventListener("click", redo);
+addEventListener("keydown", (event) => {
+  const key = event.key.toLowerCase();
+  // In a box, the browser undoes what was typed.
+  if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.matches("input:not([type=range]), textarea")) return;
+  if (key !== "z" && key !== "y") return;
+  event.preventDefault();
+  (key === "y" || event.shiftKey ? redo : undo)();
+});
+
 addEventListener("hashchange", () => {
+  remember("address");
   address = location.hash;
   state = read(address);
   reopenScenes();

@@ -1,5 +1,6 @@
 // Two numbers and an operation: the exact result, and the word that each rule and each build gives.
 import { html, nothing } from "../vendor/lit-html.js";
+import { formulaPart } from "./formula.mjs";
 import { agreement, between, formatsOf, input, keep, kept, operations, problem, select, short } from "./parts.mjs";
 import { hashOf } from "./state.mjs";
 
@@ -66,5 +67,6 @@ export function operationView(module, state, update) {
       <p class="exact">${exactOf(shown)}</p>
       ${placeOf(shown)}
       ${table(shown.negative ? "Policy" : "Rounding rule", shown.rules, shown)}
-      ${shown.builds.length ? table("Build of FIXED.ASM", shown.builds, shown) : nothing}</div>` : nothing}`;
+      ${shown.builds.length ? table("Build of FIXED.ASM", shown.builds, shown) : nothing}</div>` : nothing}
+    ${formulaPart(module, state, update)}`;
 }

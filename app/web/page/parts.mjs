@@ -4,9 +4,9 @@ import { html, nothing } from "../vendor/lit-html.js";
 export const operations = [["add", "+"], ["sub", "−"], ["mul", "×"], ["div", "÷"], ["sqrt", "√"]];
 
 let formats;
-// Returns the named formats as options of a select.
-export const formatsOf = (module) =>
-  formats ??= module.ask("number", "q16_16", "0").rows.map(({ name }) => [name, name]);
+// Returns the named formats as rows of a number, and as options of a select.
+export const formatRows = (module) => formats ??= module.ask("number", "q16_16", "0").rows;
+export const formatsOf = (module) => formatRows(module).map(({ name }) => [name, name]);
 
 // The property `selected` changes the choice even after a person chose; the attribute would not.
 export const select = (label, value, options, choose) => html`
@@ -26,11 +26,12 @@ export const input = (label, value, change, short = false) => html`
 export const keep = (state, update) => select("A new format keeps", state.keep, [["value", "the value"],
   ["bits", "the bits"]], (chosen) => update({ keep: chosen }));
 
+// Tells whether a text is a word and not a decimal number.
+export const isWord = (text) => /^\s*[-+\u2212]?0[xb]/i.test(text);
+
 // Returns the text of a number for another format: words become decimal, or decimal numbers words.
-export const kept = (text, what, { word, value }) => {
-  const isWord = /^\s*[-+\u2212]?0[xb]/i.test(text);
-  return what === "bits" ? (isWord ? text : `0x${word}`) : isWord ? value : text;
-};
+export const kept = (text, what, { word, value }) =>
+  what === "bits" ? (isWord(text) ? text : `0x${word}`) : isWord(text) ? value : text;
 
 // A figure, shortened for the table. Its title has all digits.
 export const short = (text, digits = 14) => text === undefined ? nothing :
@@ -39,6 +40,21 @@ export const short = (text, digits = 14) => text === undefined ? nothing :
 export const agreement = (agrees) => agrees
   ? html`<span class="agrees" title="The type, the oracle and, where there is one, the model agree.">agree</span>`
   : html`<strong class="differs">differ</strong>`;
+
+// Copies a text and says so. Where a page may not copy, such as over plain HTTP, it shows the text to copy by hand.
+async function copy(text, button) {
+  const said = button.parentElement.querySelector("[role=status]");
+  try {
+    await navigator.clipboard.writeText(text);
+    said.textContent = `Copied: ${text}`;
+  } catch {
+    prompt("Copy this text:", text);
+  }
+}
+
+// Buttons that copy: for each, its label and a function that returns the text.
+export const copies = (...texts) => html`<p class="copies">${texts.map(([label, text]) => html`
+  <button @click=${(e) => copy(text(), e.target)}>Copy ${label}</button>`)} <span role="status"></span></p>`;
 
 export const problem = (text) => html`<p class="problem" role="status">${text ?? ""}</p>`;
 

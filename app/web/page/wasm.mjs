@@ -18,9 +18,23 @@ export async function loadModule(bytes) {
   return { c, text, ask: (name, ...lines) => JSON.parse(text(name, lines.join("\n"))) };
 }
 
-// Loads the module in this page, which is packed with gzip and encoded in base64.
+// Returns the bytes in a text whose characters have 7 bits each, the highest first. Higher bits do not count.
+function bytesOf(text) {
+  const bytes = new Uint8Array(Math.floor(text.length * 7 / 8));
+  let bits = 0;
+  let held = 0;
+  let at = 0;
+  for (let i = 0; i < text.length; ++i) {
+    bits = bits << 7 & 0x7fff | text.charCodeAt(i) & 127;
+    held += 7;
+    if (held >= 8) bytes[at++] = bits >> (held -= 8);
+  }
+  return bytes;
+}
+
+// Loads the module in this page, which is packed with gzip.
 export async function embeddedModule() {
-  const packed = Uint8Array.from(atob(document.getElementById("module").textContent), (c) => c.charCodeAt(0));
+  const packed = bytesOf(document.getElementById("module").textContent);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   return loadModule(await new Response(stream).arrayBuffer());
 }

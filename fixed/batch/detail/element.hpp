@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "fixed/batch/vectorizable.hpp"
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/exact.hpp"
 #include "fixed/detail/floating.hpp"
@@ -109,6 +110,22 @@ constexpr outcome_of<Number> from_float(Float value) noexcept {
       x.what == kind::beyond && Overflow != overflow::saturate ? static_cast<raw>(x.integer) : end,
       Overflow == overflow::wrap ? fault::none : fault::overflow};
 }
+
+/// The conversion as an element.
+template <class Number>
+struct from_float_element {
+  template <class Float>
+  constexpr outcome_of<Number> operator()(std::size_t i, const Float* from) const noexcept {
+    return from_float<Number>(from[i]);
+  }
+
+  /// See few_elements().
+  template <class Float>
+  requires(has_vector_conversion<Number>) std::int64_t quick(std::size_t i, const Float* from)
+  const noexcept {
+    return rounded_ulps<Number>(from[i]);
+  }
+};
 
 /// Computes element i + k for every bit k that is set in `missing`, and records its fault.
 template <class Number, class Float, class Recorder>

@@ -62,6 +62,7 @@ namespace fixproof::detail {
 template <bool has, class Call>
 std::size_t on_function_path(batch::path which, const Call& call) {
   if constexpr (has && hardware_double) {
+    if (which == batch::path::fastest) which = batch::best();
 #if defined(FIXED_BATCH_X86)
     if (which == batch::path::avx512 && batch::has(which)) return call(avx512::functions{});
     if (which == batch::path::avx2 && batch::has(which) &&

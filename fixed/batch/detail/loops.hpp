@@ -146,6 +146,13 @@ struct loops {
   template <class Raw, int Point>
   FIXED_LANE_LOOP static std::size_t sines(const void* angles, void* results, std::size_t count,
                                            std::uint64_t ahead) {
+    if constexpr (has_masks) {
+      // Half a block takes half the products of a block.
+      if (count <= width / 2) {
+        const sine_blocks<Raw, Point, half_block_of_angles> few{angles, results, ahead};
+        return clean_block(few, 0, first_elements(count)) ? count : 0;
+      }
+    }
     return each_block(sine_blocks<Raw, Point>{angles, results, ahead}, 0, count);
   }
 
@@ -153,6 +160,12 @@ struct loops {
   template <class Raw, int Point>
   FIXED_LANE_LOOP static std::size_t sines_and_cosines(const void* angles, void* cosines,
                                                        void* sines, std::size_t count) {
+    if constexpr (has_masks) {
+      if (count <= width / 2) {
+        const sine_cosine_blocks<Raw, Point, half_block_of_angles> few{angles, cosines, sines};
+        return clean_block(few, 0, first_elements(count)) ? count : 0;
+      }
+    }
     return each_block(sine_cosine_blocks<Raw, Point>{angles, cosines, sines}, 0, count);
   }
 };

@@ -37,18 +37,38 @@ FIXED_LANE_FUNCTION u64 fast_cosine_of(u64 d) {
   return c[0] - mul_even(z, factor);
 }
 
+/// The magnitudes of sines, before rounding::dropped bits are dropped.
+template <int Point>
+FIXED_LANE_FUNCTION u64 biased_sines_of(u64 turns) {
+  return fast_cosine_of((turns - quarter_turn) >> 31) + fast_rounding<Point>::bias;
+}
+
+/// The bits of fast_rounding::doubtful, shifted into the lower 32.
+inline constexpr int unneeded_bits = 34;
+template <int Point>
+inline constexpr auto doubtful_mask =
+    static_cast<std::int32_t>(fast_rounding<Point>::doubtful >> unneeded_bits);
+
 /// Returns the sines of a block. Sets the bits of `doubtful` for lanes that may be wrong.
 template <int Point>
 FIXED_LANE_FUNCTION i32 sines_of(const turn_lanes& turns, std::uint32_t& doubtful) {
   using rounding = fast_rounding<Point>;
   const i32 sign = interleaved(turns.even >> 32, turns.odd) >> 31;
-  const u64 even = fast_cosine_of((turns.even - quarter_turn) >> 31) + rounding::bias;
-  const u64 odd = fast_cosine_of((turns.odd - quarter_turn) >> 31) + rounding::bias;
-  // The bits of fast_rounding::doubtful, shifted into the lower 32.
-  constexpr int unneeded = 34;
-  constexpr auto mask = static_cast<std::int32_t>(rounding::doubtful >> unneeded);
-  doubtful |= zero_bits(interleaved(even >> unneeded, odd >> (unneeded - 32)) & mask);
+  const u64 even = biased_sines_of<Point>(turns.even);
+  const u64 odd = biased_sines_of<Point>(turns.odd);
+  doubtful |= zero_bits(interleaved(even >> unneeded_bits, odd >> (unneeded_bits - 32)) &
+                        doubtful_mask<Point>);
   const i32 magnitude = interleaved(even >> rounding::dropped, odd >> (rounding::dropped - 32));
+  return (magnitude ^ sign) - sign;
+}
+
+/// The same for half a block, whose angles are in 64-bit lanes.
+template <int Point>
+FIXED_LANE_FUNCTION half_i32 sines_of(u64 turns, std::uint32_t& doubtful) {
+  const half_i32 sign = low_words(negative(i64(turns)));
+  const u64 sums = biased_sines_of<Point>(turns);
+  doubtful |= zero_bits(low_words(i64(sums >> unneeded_bits)) & doubtful_mask<Point>);
+  const half_i32 magnitude = low_words(i64(sums >> fast_rounding<Point>::dropped));
   return (magnitude ^ sign) - sign;
 }
 
@@ -60,8 +80,35 @@ FIXED_LANE_TARGET __attribute__((noinline)) i32 nearest_sines(i32 raw, std::uint
   }
   return raw;
 }
+template <int Point>
+FIXED_LANE_FUNCTION half_i32 nearest_sines(half_i32 raw, std::uint64_t ahead) {
+  return lower(nearest_sines<Point>(join(raw, half_i32{}), ahead));
+}
 
+/// The angles of a part of a block, and their turns: half a block is in 64-bit lanes.
 template <class Raw, int Point>
+struct block_of_angles {
+  i32 raw;
+  template <class Part>
+  FIXED_LANE_FUNCTION block_of_angles(const void* angles, std::size_t i, Part part)
+      : raw(load<Raw>(angles, i, part)) {}
+  [[nodiscard]] FIXED_LANE_FUNCTION turn_lanes turns(std::uint64_t ahead) const {
+    return turns_of<Point>(raw, ahead);
+  }
+};
+template <class Raw, int Point>
+struct half_block_of_angles {
+  half_i32 raw;
+  template <class Part>
+  FIXED_LANE_FUNCTION half_block_of_angles(const void* angles, std::size_t i, Part part)
+      : raw(load_half<Raw>(angles, i, part)) {}
+  [[nodiscard]] FIXED_LANE_FUNCTION u64 turns(std::uint64_t ahead) const {
+    return turns_of_even(__builtin_convertvector(raw << (16 - Point), i64), ahead);
+  }
+};
+
+/// @tparam Angles block_of_angles or half_block_of_angles
+template <class Raw, int Point, template <class, int> class Angles = block_of_angles>
 struct sine_blocks : no_faults {
   using number = Raw;
   static constexpr std::size_t size = width;
@@ -73,12 +120,12 @@ struct sine_blocks : no_faults {
   FIXED_LANE_FUNCTION sine_blocks(const void* from, void* to, std::uint64_t turns)
       : angles(from), out(to), ahead(turns) {}
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, Part part, no_faults& /*seen*/) const {
-    const i32 raw = load<Raw>(angles, i, part);
+  [[nodiscard]] FIXED_LANE_FUNCTION auto at(std::size_t i, Part part, no_faults& /*seen*/) const {
+    const Angles<Raw, Point> block(angles, i, part);
     std::uint32_t doubtful = 0;
-    i32 values = sines_of<Point>(turns_of<Point>(raw, ahead), doubtful);
+    auto values = sines_of<Point>(block.turns(ahead), doubtful);
     if ((doubtful & part.bits) != 0) [[unlikely]] {
-      values = nearest_sines<Point>(raw, ahead);
+      values = nearest_sines<Point>(block.raw, ahead);
     }
     return values;
   }
@@ -91,14 +138,14 @@ struct cosines_and_sines {
   Type sines;
 };
 
-template <class Raw, class Part>
+template <class Raw, class Lanes, class Part>
 FIXED_LANE_FUNCTION void store(const cosines_and_sines<void*>& out, std::size_t i,
-                               const cosines_and_sines<i32>& x, Part part) {
+                               const cosines_and_sines<Lanes>& x, Part part) {
   store<Raw>(out.sines, i, x.sines, part);
   store<Raw>(out.cosines, i, x.cosines, part);
 }
 
-template <class Raw, int Point>
+template <class Raw, int Point, template <class, int> class Angles = block_of_angles>
 struct sine_cosine_blocks : no_faults {
   using number = Raw;
   static constexpr std::size_t size = width;
@@ -109,18 +156,16 @@ struct sine_cosine_blocks : no_faults {
   FIXED_LANE_FUNCTION sine_cosine_blocks(const void* from, void* cosines, void* sines)
       : angles(from), out{cosines, sines} {}
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION cosines_and_sines<i32> at(std::size_t i, Part part,
-                                                              no_faults& /*seen*/) const {
-    const i32 raw = load<Raw>(angles, i, part);
-    const turn_lanes turns = turns_of<Point>(raw, 0);
+  [[nodiscard]] FIXED_LANE_FUNCTION auto at(std::size_t i, Part part, no_faults& /*seen*/) const {
+    const Angles<Raw, Point> block(angles, i, part);
     std::uint32_t doubtful = 0;
-    i32 sines = sines_of<Point>(turns, doubtful);
-    i32 cosines = sines_of<Point>({turns.even + quarter_turn, turns.odd + quarter_turn}, doubtful);
+    auto sines = sines_of<Point>(block.turns(0), doubtful);
+    auto cosines = sines_of<Point>(block.turns(quarter_turn), doubtful);
     if ((doubtful & part.bits) != 0) [[unlikely]] {
-      sines = nearest_sines<Point>(raw, 0);
-      cosines = nearest_sines<Point>(raw, quarter_turn);
+      sines = nearest_sines<Point>(block.raw, 0);
+      cosines = nearest_sines<Point>(block.raw, quarter_turn);
     }
-    return {cosines, sines};
+    return cosines_and_sines<decltype(sines)>{cosines, sines};
   }
 };
 

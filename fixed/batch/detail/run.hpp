@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
 
 #include "fixed/batch/detail/element.hpp"
@@ -19,7 +21,7 @@ namespace fixproof::batch {
 /// Options of a batch operation.
 struct options {
   /// The path to use; path::portable replaces one that the processor lacks.
-  path use = best();
+  path use = path::fastest;
   /// If not empty, entry i is set to whether element i has a fault, and nothing is thrown.
   std::span<bool> marks = {};
 };
@@ -80,8 +82,70 @@ FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] Type& copy) noexcept {
 #endif
 }
 
+/// Calls `Blocks` on a path, from a function of its own: so short spans need no stack, and this one
+/// jumps to the loop. The path is last, because the loop takes the other arguments in this order.
+template <bool has, class Blocks, class... Places>
+FIXED_NOINLINE std::size_t long_span(std::size_t done, std::size_t count, Places... places,
+                                     batch::path use) noexcept {
+  return on_path<has>(use, [=](auto on) { return Blocks{}(on, done, count, places...); });
+}
+
+/// Computes elements up to the first one that may have a fault.
+/// @param element as for each_element(). It may have a member quick(), which returns a result as a
+///                word of 64 bits, or one out of range if there may be a fault.
+/// @return the number of elements that are done
+/// @pre count > 0
+template <class Element, class Type, class... From>
+FIXED_ALWAYS_INLINE std::size_t few_elements(std::size_t count, const Element& element, Type* to,
+                                             const From*... from) {
+  std::size_t done = 0;
+  if constexpr ((... && !std::is_same_v<Type, From>)) {
+    // Elements of other types share no memory with the results.
+    Type* __restrict const apart_from = to;
+    to = apart_from;
+  }
+  if constexpr (requires { element.quick(done, from...); }) {
+    using raw = typename Type::raw_type;
+    // Words in range have no bits above those of a stored integer once its least value is zero.
+    constexpr int places = std::numeric_limits<raw>::digits;
+    std::uint64_t all = 0;
+    do {
+      const std::int64_t word = element.quick(done, from...);
+      to[done] = Type::from_raw(static_cast<raw>(word));
+      all |= static_cast<std::uint64_t>(word) + (std::uint64_t{1} << places);
+    } while (++done != count);
+    return all >> (places + 1) == 0 ? count : 0;
+  } else {
+    do {
+      const auto one = element(done, from...);
+      if (one.what != fault::none) break;
+      to[done] = stored<Type>(one.raw);
+    } while (++done != count);
+    return done;
+  }
+}
+
+/// The arguments of a batch that only faults need.
+struct fault_context {
+  const char* operation;
+  batch::options how;
+};
+
+/// Computes the elements from `done` on, and records their faults; see run_batch().
+template <bool has, overflow Overflow, divide_fault Fault, class Blocks, class Element, class Type,
+          class... From>
+FIXED_NOINLINE batch::report other_elements(std::size_t done, std::size_t end, Type* to,
+                                            const From*... from, const fault_context& faults) {
+  return run_recorded<0, has, Overflow, Fault>(
+      faults.operation, faults.how, done, end,
+      [=](auto on, const recording& start) { return Blocks{}(on, start, end, to, from...); },
+      [=](std::size_t i, fault_recorder& found) {
+        each_element(i, end, found, Element{}, to, from...);
+      });
+}
+
 /// Runs a batch of elements that seldom have faults.
-/// @tparam few      up to this many elements are faster one by one, or up to few / 4 if the first
+/// @tparam few      up to this many elements are faster one by one, or one element if the first
 ///                  blocks need no call
 /// @param blocks    (loops, start, count, to, from...) -> number of elements done. The start is
 ///                  few_blocks, the index of an element, or a recording. Without a recording, stops
@@ -92,16 +156,15 @@ template <std::size_t few, bool has, overflow Overflow, divide_fault Fault = div
 FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
                                             std::size_t count, Blocks blocks, Element element,
                                             Type* to, const From*... from) {
-  // First blocks without a call are faster than the plain loop from few / 4 + 1 elements on.
   constexpr bool blocks_first = has && sure_of_masks;
+  if (count - 1 < (blocks_first ? (std::min)(few, std::size_t{1}) : few)) {  // and not 0
+    const std::size_t done = few_elements(count, element, to, from...);
+    if (done == count) return clean_report(how, count);
+    return other_elements<has, Overflow, Fault, Blocks, Element, Type, From...>(
+        done, count, to, from..., fault_context{operation, how});
+  }
   std::size_t done = 0;
-  if (count <= (blocks_first ? few / 4 : few)) {
-    for (; done < count; ++done) {
-      const auto one = element(done, from...);
-      if (one.what != fault::none) break;
-      to[done] = stored<Type>(one.raw);
-    }
-  } else if constexpr (blocks_first) {
+  if constexpr (blocks_first) {
     done = on_path<has>(how.use,
                         [&](auto on) { return blocks(on, few_blocks{}, count, to, from...); });
   }
@@ -109,17 +172,16 @@ FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::
   // The code after a call uses copies. Only the way to the call stores them in memory.
   const auto others = [&](std::size_t end, auto... kept) FIXED_INLINE {
     (keep_in_memory(end), ..., keep_in_memory(kept));
-    done = (std::max)(
-        done, on_path<has>(how.use, [&](auto on) { return blocks(on, done, count, to, from...); }));
+    if constexpr (sure_of_masks) {
+      done = (std::max)(done, on_path<has>(how.use, [&](auto on) {
+                          return blocks(on, done, count, to, from...);
+                        }));
+    } else {
+      done = long_span<has, Blocks, Type*, const From*...>(0, count, to, from..., how.use);
+    }
     if (done == end) return clean_report(how, end);
-    return apart([=] {
-      return run_recorded<0, has, Overflow, Fault>(
-          operation, how, done, end,
-          [=](auto on, const recording& start) { return blocks(on, start, end, kept...); },
-          [=](std::size_t i, fault_recorder& found) {
-            each_element(i, end, found, element, kept...);
-          });
-    });
+    return other_elements<has, Overflow, Fault, Blocks, Element, Type, From...>(
+        done, end, kept..., fault_context{operation, how});
   };
   return others(count, to, from...);
 }

@@ -32,6 +32,7 @@ enum class path : std::uint8_t {
   neon,      ///< programs compiled for little-endian AArch64
   avx2,      ///< x86-64 processors with AVX2
   avx512,    ///< x86-64 processors with AVX-512 F, BW, DQ and VL
+  fastest,   ///< the fastest of these that the program can take, chosen when a batch needs it
 };
 
 }  // namespace fixproof::batch
@@ -123,6 +124,7 @@ namespace fixproof::batch {
 inline bool has(path which) noexcept {
   switch (which) {
     case path::portable:
+    case path::fastest:
       return true;
     case path::neon:
 #if defined(FIXED_BATCH_NEON)
@@ -164,6 +166,13 @@ namespace fixproof::detail {
 /// even two elements are faster together.
 inline constexpr bool sure_of_masks = FIXED_SURE_OF_AVX512 == 1;
 
+/// Whether the compiler vectorises short loops at every level that optimises; g++ 12 does at -O3.
+#if defined(__clang__)
+inline constexpr bool loops_in_vectors = true;
+#else
+inline constexpr bool loops_in_vectors = false;
+#endif
+
 #undef FIXED_SURE_OF_AVX2
 #undef FIXED_SURE_OF_AVX512
 
@@ -174,10 +183,16 @@ template <bool has, class Call>
 FIXED_ALWAYS_INLINE std::size_t on_path(batch::path which, const Call& call) {
   if constexpr (has) {
 #if defined(FIXED_BATCH_X86)
+    // The path that most calls take, without a jump.
+    const bool fastest = which == batch::path::fastest;
+    if (fastest && batch::has(batch::path::avx512)) [[likely]] {
+      return call(avx512::loops{});
+    }
+    if (fastest) which = batch::best();
     if (which == batch::path::avx512 && batch::has(which)) return call(avx512::loops{});
     if (which == batch::path::avx2 && batch::has(which)) return call(avx2::loops{});
 #elif defined(FIXED_BATCH_NEON)
-    if (which == batch::path::neon) return call(neon::loops{});
+    if (which == batch::path::neon || which == batch::path::fastest) return call(neon::loops{});
 #endif
   }
   (void)which;

@@ -41,6 +41,7 @@ void add_saturating_products(std::vector<Group>& to) {
 void add_quotients(std::vector<Group>& to) {
   Operation<Divide> all("divide", batch_sizes());
   all.each<TypeDivide>(Role::ours).in_batch<BatchDivide>(Role::ours);
+  all.in_loop<Each<VectorizableDivide>>(Role::ours);
   all.each<IdiomDivide>().each<IdiomDivideTruncating>().each<DoubleDivide>();
 #if defined(FAIR_LIBFIXMATH)
   all.each<FixmathDivide>();
@@ -74,6 +75,7 @@ void add_conversions(std::vector<Group>& to) {
 
   Operation<FromDouble> from("from double", batch_sizes());
   from.in_loop<Each<TypeFromDouble>>(Role::ours).in_batch<BatchFromDouble>(Role::ours);
+  from.in_loop<Each<VectorizableFromDouble>>(Role::ours);
   from.in_loop<Each<RintFromDouble>>().in_loop<Each<FloorFromDouble>>();
 
   Operation<ToDouble> back("to double", batch_sizes());

@@ -108,7 +108,7 @@ class KernelRun final : public Run {
   using in = typename K::in;
   using out = typename K::out;
 
-  [[gnu::noinline]] static void once(const View<in, out>& view, std::size_t count) {
+  [[gnu::noinline, gnu::flatten]] static void once(const View<in, out>& view, std::size_t count) {
     K::run(view, count);
   }
 

@@ -10,6 +10,7 @@
 #include "fixed/batch/batch.hpp"
 #include "fixed/batch/conversions.hpp"
 #include "fixed/batch/radian.hpp"
+#include "fixed/batch/vectorizable.hpp"
 #include "fixed/fixed.hpp"
 #include "measure/bench/fair/columns.hpp"
 #include "measure/bench/fair/transforms.hpp"
@@ -41,6 +42,12 @@ struct TypeMultiply : Type<N> {
 struct TypeDivide : Type<q16_16> {
   static q16_16 of(const q16_16& a, const q16_16& b) { return a / b; }
 };
+struct VectorizableDivide : Type<q16_16> {
+  static constexpr const char* name = "vectorizable_divide";
+  static q16_16 of(const q16_16& a, const q16_16& b) {
+    return fixproof::vectorizable_divide(a, b);
+  }
+};
 struct TypeRoot : Type<q16_16> {
   static q16_16 of(const q16_16& a, const q16_16& /*b*/ = {}) { return fixproof::sqrt(a); }
 };
@@ -55,6 +62,10 @@ struct TypeSineCosine : Type<q16_16> {
 };
 struct TypeFromDouble : Type<double, q16_16> {
   static q16_16 of(double a) { return q16_16(a); }
+};
+struct VectorizableFromDouble : Type<double, q16_16> {
+  static constexpr const char* name = "vectorizable_from";
+  static q16_16 of(double a) { return fixproof::vectorizable_from<q16_16>(a); }
 };
 struct TypeToDouble : Type<q16_16, double> {
   static double of(const q16_16& a) { return static_cast<double>(a); }

@@ -2,6 +2,7 @@
 /// processor, against exact integers and the type.
 #include "fixed/batch/conversions.hpp"
 
+#include "fixed/batch/vectorizable.hpp"
 #include "tests/fixed/batch/columns.hpp"
 #include "tests/fixed/batch/expected.hpp"
 #include "tests/fixed/exact.hpp"
@@ -93,6 +94,8 @@ struct Conversion {
   Type type;
   Word (*expected)(Float x, Fault& fault);
   Report (*from_floats)(std::span<const Float> x, void* out, const Options& how);
+  /// Nothing if the result is out of range.
+  std::optional<Word> (*from_one)(Float x);
   Float (*expected_float)(Word x);
   void (*to_floats)(const void* x, std::span<Float> out, fixproof::batch::path path);
 };
@@ -107,6 +110,15 @@ Conversion<Float> conversion() {
           },
           [](std::span<const Float> x, void* out, const Options& how) {
             return fixproof::batch::from_floats(x, numbers<N>(out, x.size()), how);
+          },
+          [](Float x) -> std::optional<Word> {
+            constexpr fixproof::policy rules = [](fixproof::policy p) {
+              p.range = fixproof::overflow::trap;
+              return p;
+            }(N::rules);
+            using Trapping = fixproof::number<typename N::raw_type, N::fraction_bits, rules>;
+            if (expected_from<Trapping>(x).fault != Fault::none) return std::nullopt;
+            return fixproof::vectorizable_from<N>(x).raw();
           },
           [](Word x) { return static_cast<Float>(number_of<N>(x)); },
           [](const void* x, std::span<Float> out, fixproof::batch::path path) {
@@ -163,11 +175,40 @@ void check_from(const Conversion<Float>& conversion) {
     for (const int mode : RoundingMode::all) check(0, all.size(), path, mode);
     for (std::size_t n = 0; n <= 130; ++n) check(n * 7, n, path, FE_TONEAREST);
   }
+  // A single element has code of its own.
+  for (const int mode : RoundingMode::all) {
+    for (std::size_t i = 0; i < all.size(); ++i) check(i, 1, fixproof::batch::path::fastest, mode);
+  }
+}
+
+template <class Float>
+void check_from_one(const Conversion<Float>& conversion) {
+  std::size_t in_range = 0;
+  for (const Float x : values<Float>(conversion.type.fraction_bits)) {
+    Fault fault{};
+    const Word want = conversion.expected(x, fault);
+    for (const int mode : RoundingMode::all) {
+      std::optional<Word> word;
+      {
+        const RoundingMode set(mode);
+        word = conversion.from_one(x);
+      }
+      in_range += word ? 1U : 0U;
+      ASSERT_EQ(word.value_or(want), want) << "of " << x << ", mode " << mode;
+    }
+  }
+  EXPECT_GT(in_range, 4000U);
 }
 
 TEST_P(Floats, BecomeNumbers) {
   check_from(GetParam().doubles);
   check_from(GetParam().floats);
+}
+
+// In a loop that compilers may vectorise, one by one.
+TEST_P(Floats, BecomeNumbersInLoops) {
+  check_from_one(GetParam().doubles);
+  check_from_one(GetParam().floats);
 }
 
 template <class Float>

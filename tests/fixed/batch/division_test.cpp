@@ -2,6 +2,7 @@
 /// alignment, and quotients and roots around the points where their rounding changes, against exact
 /// integers in every rounding mode of the processor. One file, so that each divide is compiled
 /// once.
+#include "fixed/batch/vectorizable.hpp"
 #include "tests/fixed/batch/elements.hpp"
 #include "tests/fixed/exact.hpp"
 #include "tests/fixed/types.hpp"
@@ -32,6 +33,8 @@ struct Division {
   std::vector<Pair> (*pairs)();
   /// Nothing if it throws.
   std::optional<Word> (*exact)(Word n, Word d);
+  /// The same by vectorizable_divide().
+  std::optional<Word> (*in_loop)(Word n, Word d);
 
   friend std::ostream& operator<<(std::ostream& out, const Division& x) {
     return out << x.divide.type;
@@ -41,6 +44,13 @@ constexpr auto division_of = []<class N>(std::type_identity<N> number) -> Divisi
   return {divide(number), near_misses<typename N::raw_type, N::fraction_bits>, [](Word n, Word d) {
             const auto want = exact::quotient(number_of<N>(n), number_of<N>(d));
             return want.throws ? std::nullopt : std::optional<Word>(want.raw);
+          },
+          [](Word n, Word d) -> std::optional<Word> {
+            try {
+              return fixproof::vectorizable_divide(number_of<N>(n), number_of<N>(d)).raw();
+            } catch (const std::exception&) {
+              return std::nullopt;
+            }
           }};
 };
 
@@ -80,6 +90,22 @@ TEST_P(Quotients, AreExactInEveryRoundingMode) {
                << (want[i] ? "raw " + std::to_string(*want[i]) : "an error") << ", path "
                << static_cast<int>(path) << ", mode " << mode;
       }
+    }
+  }
+}
+
+TEST_P(Quotients, AreExactInLoops) {
+  std::vector<Pair> pairs = GetParam().pairs();
+  for (const Word n : {-3, 0, 3}) pairs.push_back({n, 0});
+  for (const auto& [n, d] : pairs) {
+    const std::optional<Word> want = GetParam().exact(n, d);
+    for (const int mode : RoundingMode::all) {
+      std::optional<Word> quotient;
+      {
+        const RoundingMode set(mode);
+        quotient = GetParam().in_loop(n, d);
+      }
+      ASSERT_EQ(quotient, want) << "raw " << n << " / raw " << d << ", mode " << mode;
     }
   }
 }
