@@ -3,7 +3,7 @@
 #     cmake -C app/packages/portable.cmake -S . -B FOLDER
 #
 # Libraries of which Debian has an archive are linked in. Those of which it has none lie in lib/fixproof beside the
-# command; app/packages/install.cmake copies them. The C library is that of the system.
+# command; app/packages/install.cmake copies them.
 set(CMAKE_BUILD_TYPE Release CACHE STRING "")
 set(CMAKE_CXX_COMPILER g++ CACHE STRING "")
 set(CMAKE_UNITY_BUILD ON CACHE BOOL "")
@@ -13,8 +13,8 @@ set(FIXPROOF_PORTABLE ON CACHE BOOL "Copy shared libraries that few systems have
 set(CMAKE_INSTALL_RPATH "\$ORIGIN/../lib/fixproof" CACHE STRING "")
 # The program of the build is the one that is installed, byte for byte: the bill of materials has its digest.
 set(CMAKE_BUILD_WITH_INSTALL_RPATH ON CACHE BOOL "")
-# A library that a user hands to `verify --against` brings its own C++ library.
-set(CMAKE_EXE_LINKER_FLAGS "-s -static-libstdc++ -static-libgcc" CACHE STRING "")
+# The C++ library is that of the system, too: who has a C library as new as Debian 12 has the C++ library of g++ 12 or later.
+set(CMAKE_EXE_LINKER_FLAGS -s CACHE STRING "")
 
 set(Boost_USE_STATIC_LIBS ON CACHE BOOL "")
 set(OPENSSL_USE_STATIC_LIBS ON CACHE BOOL "")
