@@ -14,7 +14,8 @@ set(CMAKE_INSTALL_RPATH "\$ORIGIN/../lib/fixproof" CACHE STRING "")
 # The program of the build is the one that is installed, byte for byte: the bill of materials has its digest.
 set(CMAKE_BUILD_WITH_INSTALL_RPATH ON CACHE BOOL "")
 # The C++ library is that of the system, too: who has a C library as new as Debian 12 has the C++ library of g++ 12 or later.
-set(CMAKE_EXE_LINKER_FLAGS -s CACHE STRING "")
+# The older of the two kinds of paths is also followed from one library beside the command to another.
+set(CMAKE_EXE_LINKER_FLAGS "-s -Wl,--disable-new-dtags" CACHE STRING "")
 
 set(Boost_USE_STATIC_LIBS ON CACHE BOOL "")
 set(OPENSSL_USE_STATIC_LIBS ON CACHE BOOL "")
