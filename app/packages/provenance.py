@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""usage: provenance FOLDER VERSION
+"""usage: provenance.py FOLDER VERSION
 
 Writes FOLDER/fixproof-VERSION.provenance.json: which commit and which compilers made the files of FOLDER, as a statement of
 in-toto (https://in-toto.io/Statement/v1) with the predicate of SLSA (https://slsa.dev/provenance/v1). Nobody signs it.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""usage: notices BILL FOLDER
+"""usage: notices.py BILL FOLDER
 
 Writes the licence of every library that is part of a package to FOLDER/LIBRARY, from the copyright files of Debian. BILL is
 the bill of materials of tests/tools/sbom. Status 2: a library has no copyright file.
@@ -21,7 +21,7 @@ texts = {}
 for name in sorted({names[end] for end in ends if not names[end].startswith(without)}):
     source = Path("/usr/share/doc", name, "copyright")
     if not source.is_file():
-        print(f"notices: no {source}: install the package {name} with its documentation", file=sys.stderr)
+        print(f"notices.py: no {source}: install the package {name} with its documentation", file=sys.stderr)
         sys.exit(2)
     texts.setdefault(source.read_text(errors="replace"), []).append(name)
 for text, owners in texts.items():
