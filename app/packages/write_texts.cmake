@@ -1,4 +1,7 @@
-# Writes the manual pages and the completions of the command RUN (an emulator may come before it) into FOLDER.
+# Writes the manual pages and the completions of the command RUN (an emulator may come before it) into FOLDER. Nothing of
+# an earlier run stays there.
+file(REMOVE_RECURSE ${FOLDER})
+
 # write(FILE ARGUMENT...): what the command prints. Sets `said`.
 macro(write file)
   execute_process(COMMAND ${RUN} ${ARGN} OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
