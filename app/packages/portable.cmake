@@ -5,7 +5,6 @@
 # Libraries of which Debian has an archive are linked in. Those of which it has none lie in lib/fixproof beside the
 # command; app/packages/install.cmake copies them.
 set(CMAKE_BUILD_TYPE Release CACHE STRING "")
-set(CMAKE_CXX_COMPILER g++ CACHE STRING "")
 set(CMAKE_UNITY_BUILD ON CACHE BOOL "")
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 24 CACHE STRING "")
 set(BUILD_TESTING OFF CACHE BOOL "")
@@ -19,13 +18,8 @@ set(CMAKE_EXE_LINKER_FLAGS "-s -Wl,--disable-new-dtags" CACHE STRING "")
 
 set(Boost_USE_STATIC_LIBS ON CACHE BOOL "")
 set(OPENSSL_USE_STATIC_LIBS ON CACHE BOOL "")
-foreach(library IN ITEMS PNG:libpng ZLIB:libz)
-  string(REGEX MATCH "^(.+):(.+)$" both ${library})
-  set(name ${CMAKE_MATCH_1})
-  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=${CMAKE_MATCH_2}.a
-    OUTPUT_VARIABLE archive OUTPUT_STRIP_TRAILING_WHITESPACE)
-  set(${name}_LIBRARY ${archive} CACHE FILEPATH "")
-endforeach()
+set(ZLIB_USE_STATIC_LIBS ON CACHE BOOL "")
+set(PNG_NAMES libpng.a CACHE STRING "")
 
 # SDL needs the libraries of a desktop. simavr has version 3 of the GPL and Unicorn version 2, so one program that is
 # passed on cannot have both. FreeType and libfixmath are only contenders of `measure host`.
