@@ -105,7 +105,7 @@ def check_workflow(path):
                     for command in run.split("&&"):
                         tried.update(check_command(place, command) or ())
                         commands += 1
-    if tried != processors:
+    if path.name == "ci.yml" and tried != processors:
         breaches.append(f"{path.name}: not tried: {' '.join(sorted(processors - tried))}")
     print(f"{path.name}: {len(workflow['jobs'])} jobs, {commands} commands")
     return commands

@@ -33,6 +33,10 @@ processor_packages=(gcc-arm-none-eabi gcc-aarch64-linux-gnu gcc-riscv64-unknown-
   gcc-mipsel-linux-gnu gcc-m68k-linux-gnu gcc-powerpc-linux-gnu gcc-s390x-linux-gnu
   gcc-sparc64-linux-gnu gcc-avr avr-libc python3)
 # shellcheck disable=SC2034
+packaging_packages=(git dpkg-dev binutils zip xz-utils)
+# shellcheck disable=SC2034  # used by ./test, to try the packages
+bare_packages=(debootstrap meson gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib)
+# shellcheck disable=SC2034
 python_packages=(python3 python3-numpy python3-pytest python3-hypothesis python3-pip python3-setuptools python3-wheel)
 
 say() { printf 'fixproof: %s\n' "$*" >&2; }
