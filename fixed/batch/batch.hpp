@@ -153,8 +153,8 @@ FIXED_ALWAYS_INLINE report sqrt(const Xs& x, Out&& out, const options& how = {})
     detail::element_t<Xs>::never_throws) {
   using Number = detail::element_t<Xs>;
   const std::size_t count = detail::batch_length(how, x, out);
-  // Under flags that promise AVX-512, the conversion that clang++ chooses for a single root waits for
-  // the root before it.
+  // Under flags that promise AVX-512, the conversion that clang++ chooses for a single root waits
+  // for the root before it.
   constexpr std::size_t few = detail::sure_of_masks && detail::loops_in_vectors ? 0 : 1;
   return detail::run_batch<few, detail::has_root_lanes<Number>, Number::rules.range>(
       "sqrt", how, count,

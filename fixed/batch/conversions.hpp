@@ -51,8 +51,7 @@ noexcept(detail::element_t<Out>::never_throws) {
       [](auto on, auto... args) {
         return on.template run<typename decltype(on)::template from_floats<Number, Float>>(args...);
       },
-      detail::from_float_element<Number>{},
-      detail::start_of(out), detail::start_of(x));
+      detail::from_float_element<Number>{}, detail::start_of(out), detail::start_of(x));
 }
 
 /// out[i] = the float or double nearest to x[i], with ties to even, in every rounding mode of the
@@ -61,7 +60,8 @@ template <detail::number_range Xs, detail::float_output Out>
 FIXED_ALWAYS_INLINE void to_floats(const Xs& x, Out&& out, path use = path::fastest) noexcept {
   using Number = detail::element_t<Xs>;
   using Float = detail::element_t<Out>;
-  (void)detail::run_batch<detail::loops_in_vectors ? 32 : 8, detail::has_float_lanes<Number>, overflow::wrap>(
+  (void)detail::run_batch<detail::loops_in_vectors ? 32 : 8, detail::has_float_lanes<Number>,
+                          overflow::wrap>(
       "to_floats", {.use = use}, detail::shortest(x, out),
       [](auto on, auto... args) {
         return on.template run<typename decltype(on)::template to_floats<Number, Float>>(args...);

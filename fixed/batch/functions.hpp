@@ -45,13 +45,15 @@ namespace fixproof::batch {
 
 /// out[i] = fixproof::exp2(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void exp2(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void exp2(const Xs& x, Out&& out,
+          path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_exp2>(use, out, x);
 }
 
 /// out[i] = fixproof::exp(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void exp(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void exp(const Xs& x, Out&& out,
+         path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_exp>(use, out, x);
 }
 
@@ -64,7 +66,8 @@ void expm1(const Xs& x, Out&& out,
 
 /// out[i] = fixproof::log(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void log(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void log(const Xs& x, Out&& out,
+         path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_log>(use, out, x);
 }
 
@@ -77,7 +80,8 @@ void log1p(const Xs& x, Out&& out,
 
 /// out[i] = fixproof::log2(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void log2(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void log2(const Xs& x, Out&& out,
+          path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_log2>(use, out, x);
 }
 
@@ -90,19 +94,22 @@ void log10(const Xs& x, Out&& out,
 
 /// out[i] = fixproof::sinh(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void sinh(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void sinh(const Xs& x, Out&& out,
+          path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_sinh>(use, out, x);
 }
 
 /// out[i] = fixproof::cosh(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void cosh(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void cosh(const Xs& x, Out&& out,
+          path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_cosh>(use, out, x);
 }
 
 /// out[i] = fixproof::tanh(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void tanh(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void tanh(const Xs& x, Out&& out,
+          path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_tanh>(use, out, x);
 }
 
@@ -151,44 +158,51 @@ void tan_of_turns(const Xs& x, Out&& out,
 /// out[i] = fixproof::sin(x[i]) of radians. fixed/batch/radian.hpp has that of 16.16 and 8.8.
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 requires(!detail::has_radians_of<detail::element_t<Xs>>) void sin(
-    const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+    const Xs& x, Out&& out,
+    path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_sin>(use, out, x);
 }
 
 /// out[i] = fixproof::cos(x[i]) of radians. fixed/batch/radian.hpp has that of 16.16 and 8.8.
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
 requires(!detail::has_radians_of<detail::element_t<Xs>>) void cos(
-    const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+    const Xs& x, Out&& out,
+    path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_cos>(use, out, x);
 }
 
 /// out[i] = fixproof::tan(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void tan(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void tan(const Xs& x, Out&& out,
+         path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_tan>(use, out, x);
 }
 
 /// out[i] = fixproof::atan(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void atan(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void atan(const Xs& x, Out&& out,
+          path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_atan>(use, out, x);
 }
 
 /// out[i] = fixproof::asin(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void asin(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void asin(const Xs& x, Out&& out,
+          path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_asin>(use, out, x);
 }
 
 /// out[i] = fixproof::acos(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void acos(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void acos(const Xs& x, Out&& out,
+          path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_acos>(use, out, x);
 }
 
 /// out[i] = fixproof::cbrt(x[i]).
 template <detail::number_range Xs, detail::output_of<detail::element_t<Xs>> Out>
-void cbrt(const Xs& x, Out&& out, path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
+void cbrt(const Xs& x, Out&& out,
+          path use = path::fastest) noexcept(detail::element_t<Xs>::never_throws) {
   detail::each_of<detail::of_cbrt>(use, out, x);
 }
 

@@ -77,7 +77,8 @@ void cos(const Angles& angles, Results&& results, path use = path::fastest) noex
 /// angles.
 template <detail::number_range Angles, detail::output_of<detail::element_t<Angles>> Sines,
           detail::output_of<detail::element_t<Angles>> Cosines>
-void sin_cos(const Angles& angles, Sines&& sines, Cosines&& cosines, path use = path::fastest) noexcept {
+void sin_cos(const Angles& angles, Sines&& sines, Cosines&& cosines,
+             path use = path::fastest) noexcept {
   using Number = detail::element_t<Angles>;
   using raw = typename Number::raw_type;
   detail::check_radians<Number>();

@@ -1,6 +1,6 @@
 /// @file
-/// Operations on one number in forms that compilers vectorise, for loops that do more than one batch
-/// of fixed/batch/batch.hpp. Outside loops, the operators are faster.
+/// Operations on one number in forms that compilers vectorise, for loops that do more than one
+/// batch of fixed/batch/batch.hpp. Outside loops, the operators are faster.
 #pragma once
 
 #include <concepts>
@@ -21,8 +21,9 @@ namespace fixproof::detail {
 /// Whether the conversion of numbers in range is rounded_half_up() of their ulps.
 template <class Number>
 inline constexpr bool has_vector_conversion =
-    hardware_double&& std::is_signed_v<typename Number::raw_type>&& bits_of<
-        typename Number::raw_type> <= 32 && Number::rules.multiply == rounding::half_up;
+    hardware_double&& std::is_signed_v<typename Number::raw_type>&&
+            bits_of<typename Number::raw_type> <= 32 &&
+    Number::rules.multiply == rounding::half_up;
 
 /// floor(x + 1/2) for |x| < 2^50, and a word of at least 2^49 in magnitude for others and for NaN.
 /// In every rounding mode of the processor, without a branch and without a 64-bit conversion, which

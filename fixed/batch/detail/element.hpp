@@ -122,9 +122,7 @@ struct from_float_element {
   /// See few_elements().
   template <class Float>
   requires(has_vector_conversion<Number>) std::int64_t quick(std::size_t i, const Float* from)
-  const noexcept {
-    return rounded_ulps<Number>(from[i]);
-  }
+  const noexcept { return rounded_ulps<Number>(from[i]); }
 };
 
 /// Computes element i + k for every bit k that is set in `missing`, and records its fault.

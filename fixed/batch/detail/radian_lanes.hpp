@@ -46,8 +46,8 @@ FIXED_LANE_FUNCTION u64 biased_sines_of(u64 turns) {
 /// The bits of fast_rounding::doubtful, shifted into the lower 32.
 inline constexpr int unneeded_bits = 34;
 template <int Point>
-inline constexpr auto doubtful_mask =
-    static_cast<std::int32_t>(fast_rounding<Point>::doubtful >> unneeded_bits);
+inline constexpr auto doubtful_mask = static_cast<std::int32_t>(fast_rounding<Point>::doubtful >>
+                                                                unneeded_bits);
 
 /// Returns the sines of a block. Sets the bits of `doubtful` for lanes that may be wrong.
 template <int Point>

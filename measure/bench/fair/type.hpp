@@ -44,9 +44,7 @@ struct TypeDivide : Type<q16_16> {
 };
 struct VectorizableDivide : Type<q16_16> {
   static constexpr const char* name = "vectorizable_divide";
-  static q16_16 of(const q16_16& a, const q16_16& b) {
-    return fixproof::vectorizable_divide(a, b);
-  }
+  static q16_16 of(const q16_16& a, const q16_16& b) { return fixproof::vectorizable_divide(a, b); }
 };
 struct TypeRoot : Type<q16_16> {
   static q16_16 of(const q16_16& a, const q16_16& /*b*/ = {}) { return fixproof::sqrt(a); }

@@ -41,7 +41,8 @@ struct Division {
   }
 };
 constexpr auto division_of = []<class N>(std::type_identity<N> number) -> Division {
-  return {divide(number), near_misses<typename N::raw_type, N::fraction_bits>, [](Word n, Word d) {
+  return {divide(number), near_misses<typename N::raw_type, N::fraction_bits>,
+          [](Word n, Word d) {
             const auto want = exact::quotient(number_of<N>(n), number_of<N>(d));
             return want.throws ? std::nullopt : std::optional<Word>(want.raw);
           },
