@@ -24,14 +24,13 @@ LIMITS = {
     ("saturating multiply", "chain"): "latency of the compares",
     ("saturating multiply", "long"): "vector ALUs: the report needs every range",
     ("divide", "chain"): "latency of the 64-bit divider, then of rounding",
-    ("divide", "loop"): "`/` divides 64-bit integers, one at a time, because a chain waits least for them; for arrays "
-                        "take `batch::divide` or [FIXED_DIVIDE_IN_DOUBLE](batch.md#the-scalar-divide)",
+    ("divide", "loop"): "the floor in every rounding mode, and zero divisors; the peer divides doubles alike",
     ("divide", "long"): "divider of doubles, and the search for zeros",
     ("sqrt", "chain"): "latency of the root, and the test for negative numbers",
     ("sqrt", "loop"): "root of doubles, and the test for negative numbers",
     ("sqrt", "long"): "root unit",
     ("to double and back", "chain"): "latency of the shift by the exponent",
-    ("from double", "loop"): "vector ALUs: shifts for any exponent, and NaN and infinity, which peers leave undefined",
+    ("from double", "loop"): "vector ALUs: halves go up in every rounding mode; peers round them as they come",
     ("from double", "long"): "tests for NaN and range, which peers leave undefined",
     ("to double", "long"): "loads and stores; the call in short spans",
     ("sin within 8", "long"): "vector ALUs",
@@ -67,7 +66,13 @@ def cells(rows):
 
 
 def ours_of(cell):
-    return next(r for r in cell if r["ours"])
+    """The faster of the operator and of its form for loops, where the cell has both."""
+    return min((r for r in cell if r["ours"]), key=lambda r: r["ns"])
+
+
+def codes(cell):
+    """The peer, and whether ours is a form for loops."""
+    return CODES[best_peer(cell)["name"]] + (" v" if ours_of(cell)["name"].startswith("vectorizable_") else "")
 
 
 def best_peer(cell):
@@ -125,7 +130,7 @@ def times(name, rows):
 
 def shown(cell):
     text = f"{ratio(cell):.2f}"
-    return (f"**{text}**" if float(text) < 1 else text) + " " + CODES[best_peer(cell)["name"]]
+    return (f"**{text}**" if float(text) < 1 else text) + " " + codes(cell)
 
 
 def operations(rows):
@@ -154,7 +159,7 @@ def below(merged):
                 continue
             worst = least.setdefault((key[0], kind(key)), {}).setdefault(name, [])
             span = f"{key[2]:,}" + (f"+{key[3]}" if key[3] else "")
-            worst.append((ratio(cell), span, CODES[best_peer(cell)["name"]]))
+            worst.append((ratio(cell), span, codes(cell)))
     lines = []
     def worst_of(item):
         return min(min(found) for found in item[1].values())
@@ -221,11 +226,11 @@ def missing(context):
 
 def generated(context, merged):
     all_cells = [cell for rows in merged.values() for key, cell in cells(rows).items() if key[0] != COPIES]
-    slower = sum(round(ratio(cell), 2) < 1 for cell in all_cells)
+    slower, beyond_ties, far = (sum(round(ratio(cell), 2) < bound for cell in all_cells) for bound in (1, TIE, 0.7))
     parts = [
         f"{context['machine']}; {'; '.join(context['compilers'])}; {context['date']}. {missing(context)}",
-        f"## Where a peer is faster\n\n{slower} of {len(all_cells)} cells are below 1. Each line has the least ratio "
-        f"and all spans below 1.\n\n{below(merged)}",
+        f"## Where a peer is faster\n\n{slower} of {len(all_cells)} cells are below 1, {beyond_ties} of them below "
+        f"{TIE}, {far} below 0.7. Each line has the least ratio and all spans below 1.\n\n{below(merged)}",
         *(f"## {name}\n\n{matrix(rows)}" for name, rows in merged.items()),
         "## Vertices in memory\n\nThe time of a copy of the same bytes, and of the best peer, divided by ours.\n\n"
         f"{copies(merged)}",
