@@ -14,7 +14,7 @@ build_packages=(cmake ninja-build g++ libboost-dev libboost-filesystem-dev libcl
   nlohmann-json3-dev libpng-dev libsdl2-dev libssl-dev libtinyobjloader-dev zlib1g-dev
   libzydis-dev nasm libunicorn-dev z3 libfixmath-dev libfreetype-dev)
 test_packages=("${build_packages[@]}" ccache libgtest-dev librapidcheck-dev libbenchmark-dev libeigen3-dev
-  libglm-dev libmpfr-dev libsimavr-dev gappa dosbox cvc5 python3-yaml python3-markdown-it)
+  libglm-dev libmpfr-dev libsimavr-dev gappa dosbox cvc5 python3-yaml python3-jsonschema python3-markdown-it)
 # shellcheck disable=SC2034  # used by ./test
 wasm_packages=(clang lld wasi-libc "libc++-$llvm-dev-wasm32" "libc++abi-$llvm-dev-wasm32"
   "libclang-rt-$llvm-dev-wasm32" python3)
