@@ -115,14 +115,13 @@ TEST_F(Causes, ArgumentsThatAreComputedInAnotherOrder) {
   EXPECT_EQ(json["status"], "wrong");
   const auto& difference = json["difference"];
   EXPECT_EQ(difference["kind"], "evaluation");
-  EXPECT_EQ(difference["computed_in"],
-            nlohmann::json::parse(R"([{"value": "14 (000e0000)", "a": 0, "b": 1
-},
-                                      {"value": "7 (00070000)", "a": 1, "b": 0}])"));
+  const nlohmann::json both{{{"value", "14 (000e0000)"}, {"a", 0}, {"b", 1}},
+                            {{"value", "7 (00070000)"}, {"a", 1}, {"b", 0}}};
+  EXPECT_EQ(difference["computed_in"], both);
   ASSERT_EQ(difference["a"].size(), 3U);
-EXPECT_EQ(difference["a"][2]["differs"], true);
-EXPECT_EQ(difference["a"][2]["operation"], 2);
-command::expect_contains(text, std::string(difference["a"][2]["text"]));
+  EXPECT_EQ(difference["a"][2]["differs"], true);
+  EXPECT_EQ(difference["a"][2]["operation"], 2);
+  command::expect_contains(text, std::string(difference["a"][2]["text"]));
 }
 
 TEST_F(Causes, SwappedOperands) {
