@@ -62,12 +62,7 @@ int run(MeasureOptions& options, Measurement<Result> measure) {
   }
   if (measured.result) std::cout << text_of(*measured.result);
   for (const std::string& line : measured.errors) print_error(line);
-  return options.result.write(measured.status, [&] {
-    support::Json json = support::Json::object();
-    if (measured.result) json = *measured.result;
-    json["errors"] = measured.errors;
-    return json;
-  });
+  return options.result.write(measured.status, [&] { return json_of(measured); });
 }
 
 }  // namespace

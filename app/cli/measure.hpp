@@ -10,6 +10,7 @@
 #include "measure/measure.hpp"
 #include "measure/stepping/stepping.hpp"
 #include "support/interrupt.hpp"
+#include "support/json.hpp"
 
 namespace fixproof::cli {
 
@@ -23,6 +24,15 @@ struct Measured {
   int status = 0;                   ///< exit status: 0, 1 if there are `errors`, 130 if interrupted
   std::vector<std::string> errors;  ///< rules and bounds that the measured arithmetic breaks
 };
+
+/// The members of --json.
+template <class Result>
+support::Json json_of(const Measured<Result>& measured) {
+  support::Json json = support::Json::object();
+  if (measured.result) json = *measured.result;
+  json["errors"] = measured.errors;
+  return json;
+}
 
 /// Returns one line per error beyond its derived bound. Only stepped values have such bounds.
 std::vector<std::string> broken_bounds(const measure::SteppingResult& result);

@@ -105,7 +105,8 @@ TEST_F(JudgeLinkedElf, AStaticFunctionHasItsName) {
       "global go:function, table:data\ngo: jmp mul\ntable: dd 0\n";
   const std::string file = linked(folder, 64, source, program);
   expect(judge(file + ":mul", quickly), 0, {"AGREES on 5,000 cases"});
-  command::expect_usage_error(judge(file + ":mull", quickly), "choose one of go, mul\n");
+  command::expect_usage_error(judge(file + ":mull", quickly),
+                              "choose one of go, mul; did you mean mul?\n");
   const std::string more = "static mul:function\nmul: ret\n";
   const std::string both = linked(folder, 64, more, program + "|" + file + ".o", "both");
   command::expect_usage_error(judge(both + ":mul", quickly),
