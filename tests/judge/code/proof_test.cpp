@@ -203,7 +203,7 @@ TEST(JudgeProof, ATerminalShowsThePathWhileASolverWorks) {
        R"(PATH=$1:$PATH script -qefc "$2 judge $3 --bits 32 --as mul --frame 'eax, ebx -> eax' --cases 1000 --prove" /dev/null)",
        "sh", folder.path(""), paths::command(), routine("mul")});
   command::expect_contains(shown.out, "\rpath 1 of 1, 0 s\x1b[K");
-  command::expect_contains(shown.out, "PROVEN\033[0m for all operands");
+  command::expect_contains(shown.out, "PROVEN\x1b[0m for all operands");
 }
 
 TEST(JudgeProof, AWrongRuleIsDisproven) {
