@@ -96,9 +96,8 @@ ReportStep measure_step(const std::string& name, Measurement<Result> measure, co
             const Measured<Result> measured = run_measurement(measure, request, progress);
             for (const std::string& line : measured.errors) print_error(line);
             if (measured.status != 0) return measured.status;
-            data.parts[name] = *measured.result;
-            support::replace_file(json,
-                                  support::json_text(result_json("measure", 0, json_of(measured))));
+            data.parts[name] = result_json("measure", 0, json_of(measured));
+            support::replace_file(json, support::json_text(data.parts[name]));
             return 0;
           }};
 }
@@ -117,9 +116,8 @@ ReportStep drift_step(const ReportRequest& request, const xsharp::Scene& scene,
   return {"drift", command_line(arguments), {json, svg}, [=, &scene](ReportData& data) {
             const trade::DriftFigures figures = measure_drift(scene, drift);
             if (!figures.complete()) return support::interrupted_status;
-            data.parts["drift"] = figures;
-            support::replace_file(json,
-                                  support::json_text(result_json("drift", 0, data.parts["drift"])));
+            data.parts["drift"] = result_json("drift", 0, figures);
+            support::replace_file(json, support::json_text(data.parts["drift"]));
             data.strip = drift_strip(scene, drift);
             support::replace_file(svg, data.strip);
             return 0;
