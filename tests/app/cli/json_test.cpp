@@ -56,7 +56,9 @@ TEST(Json, VerifyHasTheAnswerOfEachParty) {
     EXPECT_GE(row["answers"].size(), 2U);
     for (const auto& answer : row["answers"]) EXPECT_EQ(answer, "0003c000");
   }
-  for (const auto& row : run_json({"verify", "div", "--case", "1.0 0.0"}, 0).json["asked"]) {
+  const auto quotient = run_json({"verify", "div", "--case", "1.0 0.0"}, 0).json["asked"];
+  ASSERT_FALSE(quotient.empty());
+  for (const auto& row : quotient) {
     for (const auto& answer : row["answers"]) EXPECT_EQ(answer, "DE");
   }
 }
