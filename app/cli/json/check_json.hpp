@@ -9,7 +9,7 @@
 
 namespace fixproof::cli {
 
-/// Returns what is expected of a case and what is said, without its place among the cases.
+/// Returns a case with the expected and the given result, but not its number.
 support::Json answer_json(const check::JudgedCase& one, const check::Rules& rules);
 
 /// @param text the verdict as text
