@@ -94,7 +94,7 @@ Meant meant_by(const std::string& name, const std::vector<Symbol>& symbols) {
   }
   const bool is_object = image.container == object_container;
   std::vector<std::string> names;
-  for (const Symbol& symbol : all_symbols(image)) names.push_back(symbol.name);
+  for (const Symbol& symbol : all_symbols(image)) names.push_back(shortened(symbol.name));
   throw UsageError(fmt::format("--symbol {}: there is no such {}; choose one of {}{}",
                                support::quoted(name), is_object ? "global function" : "symbol", all,
                                support::suggestion(name, names)));

@@ -1,3 +1,3 @@
 """The version, that of fixed/version.hpp; the test `packaging.versions` compares them."""
 
-__version__ = "0.1.0"
+__version__ = "1.0.0"

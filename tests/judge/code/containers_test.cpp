@@ -133,6 +133,16 @@ TEST(Containers, AnElfObject) {
       missing, "--symbol 'other': there is no such global function; choose one of mul_cdecl");
 }
 
+TEST(Containers, ANameWithAControlCharacterIsPrintedWithoutIt) {
+  const ScratchFolder folder;
+  const std::string made = folder.path("fixed.o");
+  ASSERT_EQ(command::run({"nasm", "-f", "elf32", "-o", made, routine("mul_cdecl")}).status, 0);
+  std::string object = command::run({"cat", made}).out;
+  object.replace(object.find(std::string("\0mul_cdecl\0", 11)) + 1, 9, "mul_cde\tl");
+  command::expect_usage_error(judge(folder.write("tab.o", object), "--symbol|mul_cdec|--as|mul"),
+                              "choose one of mul_cde?l; did you mean mul_cde?l?");
+}
+
 TEST(Containers, WhatCannotBeReadIsSaid) {
   const ScratchFolder folder;
   command::expect_usage_error(judge(folder.path("none"), "--as|mul"), "none: ");
