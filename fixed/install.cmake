@@ -12,14 +12,8 @@ endif()
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/fixproof)
 install(TARGETS fixproof_fixed EXPORT fixproof INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fixproof)
 install(EXPORT fixproof FILE fixproof-config.cmake NAMESPACE fixproof:: DESTINATION ${package_dir})
-# Before 1.0.0 a minor version may change what is there, results too.
-if(PROJECT_VERSION_MAJOR EQUAL 0)
-  set(compatible SameMinorVersion)
-else()
-  set(compatible SameMajorVersion)
-endif()
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/fixproof-config-version.cmake
-  COMPATIBILITY ${compatible} ARCH_INDEPENDENT)
+  COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/fixproof-config-version.cmake DESTINATION ${package_dir})
 
 file(RELATIVE_PATH include_from_pc

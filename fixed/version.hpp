@@ -6,7 +6,7 @@
 
 // Macros, so that #if can test the version.
 // NOLINTBEGIN(cppcoreguidelines-macro-usage)
-#define FIXED_VERSION_MAJOR 0  ///< Incompatible changes, including any change of a result.
-#define FIXED_VERSION_MINOR 1  ///< Additions; while the major version is 0, incompatible changes.
+#define FIXED_VERSION_MAJOR 1  ///< Incompatible changes, including any change of a result.
+#define FIXED_VERSION_MINOR 0  ///< Additions.
 #define FIXED_VERSION_PATCH 0  ///< Fixes that change no result.
 // NOLINTEND(cppcoreguidelines-macro-usage)

@@ -48,7 +48,9 @@ constexpr std::uint64_t eight_digits(const char* at) noexcept {
     __builtin_memcpy(&chars, at, 8);
   } else
 #endif
+  {
     for (int i = 8; i-- > 0;) chars = chars << 8 | static_cast<unsigned char>(at[i]);
+  }
   return chars ^ 0x3030303030303030;
 }
 

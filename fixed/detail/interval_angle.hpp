@@ -31,7 +31,7 @@ constexpr interval quarters_of(const interval& x) noexcept {
 /// The number of whole quarter turns next to an angle that is not negative, and the cosine and the
 /// sine of the rest.
 struct reduced_angle {
-  std::uint64_t quarters;
+  std::uint64_t quarters = 0;
   interval_cos_sin rest;
 };
 
@@ -50,7 +50,7 @@ constexpr int128 interval_sine(const real_operand& x, unsigned ahead, int fracti
   const bool is_flipped = x.is_negative && ahead == 0;
   // By Niven's theorem only 1/2 can be a tie, and only in a format of integers.
   if (Unit == angle_unit::degree && fraction_bits == 0 && x.is_whole()) {
-    const std::uint64_t degrees = (x.whole() % 360 + 90 * ahead) % 360;
+    const std::uint64_t degrees = (x.whole() % 360 + std::uint64_t{90} * ahead) % 360;
     if (degrees % 180 == 30 || degrees % 180 == 150) {
       return shift_right<Rounding>(int128{(degrees > 180) != is_flipped ? -1 : 1}, 1);
     }

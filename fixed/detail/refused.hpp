@@ -100,8 +100,8 @@ FIXED_REFUSED_SHIFT(<<)
 FIXED_REFUSED_SHIFT(>>)
 #undef FIXED_REFUSED_SHIFT
 
-// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function. One of the user's is a better
-// match, because it has no pack.
+// One of the user's is a better match, because it has no pack.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): declares a function
 #define FIXED_ABSENT(name, text)                                        \
   template <class Number, class... Type>                                \
   requires detail::is_plain_number<Number> Number name(Number, Type...) \

@@ -7,7 +7,7 @@
 
 namespace fixproof::support {
 
-/// The version of the project, for example `0.1.0`.
+/// The version of the project, for example `1.0.0`.
 std::string_view program_version();
 
 /// The commit of the source tree at build time in hex digits, followed by ` with changes` if a

@@ -185,7 +185,7 @@ TEST(Reports, AContradictionIsFoundUnderARightDigest) {
   refused(R"("level": 1)", R"("level": 1, "note": 1)", "other keys");
   refused(R"("level": 1)", R"("level":  1)", "other keys or spaces");
   refused(R"("version": 3)", R"("version": 3.5)", "3.5 is not a count");
-  refused(R"("version": 3)", R"("version": 4)", "fixproof 0.1.0 wrote");
+  refused(R"("version": 3)", R"("version": 4)", "fixproof 1.0.0 wrote");
   refused(R"("chapter": 54)", R"("chapter": 54.5)", "54.5");
   refused(R"("seed": "5")", R"("seed": "five")", "'five' is not a seed");
   refused(R"("mul")", R"("mull")", "mull");
