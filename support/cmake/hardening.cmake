@@ -6,7 +6,7 @@ include(CheckCXXSourceCompiles)
 include(CheckLinkerFlag)
 
 set(fixproof_hardening)
-foreach(flag -fPIE -fstack-protector-strong -fstack-clash-protection -fcf-protection=full)
+foreach(flag -fPIE -fstack-protector-strong -fstack-clash-protection -fcf-protection=full -mbranch-protection=standard)
   string(MAKE_C_IDENTIFIER "FIXPROOF_HAS${flag}" has)
   check_cxx_compiler_flag(${flag} ${has})
   if(${has})

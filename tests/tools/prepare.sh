@@ -34,6 +34,11 @@ processor_packages=(gcc-arm-none-eabi gcc-aarch64-linux-gnu gcc-riscv64-unknown-
   gcc-sparc64-linux-gnu gcc-avr avr-libc python3)
 # shellcheck disable=SC2034
 packaging_packages=(git dpkg-dev binutils zip xz-utils)
+# Libraries of the command for AArch64: app/packages/sysroot unpacks them below build/, without installing them.
+# shellcheck disable=SC2034
+arm64_packages=(libc6 gcc-12-base libgcc-s1 libstdc++6 libboost1.74-dev libboost-filesystem1.74-dev libboost-system1.74-dev
+  libcli11-dev libfmt-dev libfmt9 nlohmann-json3-dev libpng-dev libssl-dev libtinyobjloader-dev libtinyobjloader2rc10
+  zlib1g-dev libzycore-dev libzycore1.4 libzydis-dev libzydis4.0 libunicorn-dev libunicorn2)
 # shellcheck disable=SC2034  # used by ./test, to try the packages
 bare_packages=(debootstrap meson gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib)
 # shellcheck disable=SC2034
