@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""usage: notices.py BILL FOLDER
+"""usage: notices.py BILL FOLDER SYSROOT
 
 Writes the licence of every library that is part of a package to FOLDER/LIBRARY, from the copyright files of Debian. BILL is
-the bill of materials of tests/tools/sbom. Status 2: a library has no copyright file.
+the bill of materials of tests/tools/sbom, SYSROOT the folder with the libraries. Status 2: a library has no copyright file.
 """
 import json
 import sys
@@ -19,9 +19,11 @@ ends = {relation["relatedSpdxElement"] if relation["relationshipType"] != "BUILD
 without = ("libc6", "linux-libc", "libboost")
 texts = {}
 for name in sorted({names[end] for end in ends if not names[end].startswith(without)}):
-    source = Path("/usr/share/doc", name, "copyright")
-    if not source.is_file():
-        print(f"notices.py: no {source}: install the package {name} with its documentation", file=sys.stderr)
+    # The headers of a cross compiler are installed on this system, not under SYSROOT.
+    source = next((path for root in (sys.argv[3], "/")
+                   if (path := Path(root, "usr/share/doc", name, "copyright")).is_file()), None)
+    if not source:
+        print(f"notices.py: install the package {name} with its documentation", file=sys.stderr)
         sys.exit(2)
     texts.setdefault(source.read_text(errors="replace"), []).append(name)
 for text, owners in texts.items():

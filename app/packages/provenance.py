@@ -23,7 +23,8 @@ def package(name):
 
 
 commit = said("git", "rev-parse", "HEAD").strip()
-compilers = [said("readlink", "-f", path).strip() for path in ("/usr/bin/g++", "/usr/bin/clang++-14", "/usr/bin/nasm")]
+compilers = [said("readlink", "-f", f"/usr/bin/{name}").strip()
+             for name in ("g++", "aarch64-linux-gnu-g++", "clang++-14", "nasm")]
 owners = sorted({said("dpkg-query", "-S", path).split(":")[0] for path in compilers})
 statement = {
     "_type": "https://in-toto.io/Statement/v1",

@@ -33,7 +33,7 @@ processor_packages=(gcc-arm-none-eabi gcc-aarch64-linux-gnu gcc-riscv64-unknown-
   gcc-mipsel-linux-gnu gcc-m68k-linux-gnu gcc-powerpc-linux-gnu gcc-s390x-linux-gnu
   gcc-sparc64-linux-gnu gcc-avr avr-libc python3)
 # shellcheck disable=SC2034
-packaging_packages=(git dpkg-dev binutils zip xz-utils)
+packaging_packages=(git dpkg-dev binutils zip xz-utils g++-aarch64-linux-gnu qemu-user)
 # Libraries of the command for AArch64: app/packages/sysroot unpacks them below build/, without installing them.
 # shellcheck disable=SC2034
 arm64_packages=(libc6 gcc-12-base libgcc-s1 libstdc++6 libboost1.74-dev libboost-filesystem1.74-dev libboost-system1.74-dev
