@@ -183,15 +183,15 @@ void write_scripts(const ProveOptions& options, const Programs& programs) {
                            written, support::printable(directory));
 }
 
-struct Outcome {
+struct GoalOutcome {
   GoalResult result;
   std::string text;
 };
 
 /// What is to be proven, by a solver. May run on any thread.
-using Goal = std::function<Outcome(const proof::Solver&)>;
+using SolverGoal = std::function<GoalOutcome(const proof::Solver&)>;
 
-Outcome prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& solver) {
+GoalOutcome prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& solver) {
   const proof::SolverAnswer answer = solver.ask(lemma.smt, seconds);
   proof::Proof proof;
   proof.standing = proof::standing_of(answer.verdict);
@@ -205,12 +205,12 @@ std::string with_questions(std::string_view name, const proof::Proof& proof) {
   return fmt::format("{}, {} question{}", name, proof.questions, proof.questions == 1 ? "" : "s");
 }
 
-Outcome outcome_of(const std::string& name, const proof::Proof& proof) {
+GoalOutcome outcome_of(const std::string& name, const proof::Proof& proof) {
   return {{name, proof}, text_of(with_questions(name, proof), proof)};
 }
 
-Outcome prove_routine(const cases::Variant& v, const ProveOptions& options,
-                      const proof::Solver& solver) {
+GoalOutcome prove_routine(const cases::Variant& v, const ProveOptions& options,
+                          const proof::Solver& solver) {
   x86model::Program program = parties::program_of(v);
   std::string which;
   std::string change;
@@ -221,7 +221,7 @@ Outcome prove_routine(const cases::Variant& v, const ProveOptions& options,
     which = fmt::format(" --mutant {}", options.mutant);
   }
   const proof::Proof proof = proof::prove(v, program, solver, options.solver.seconds);
-  Outcome outcome = outcome_of(cases::name_of(v), proof);
+  GoalOutcome outcome = outcome_of(cases::name_of(v), proof);
   outcome.result.variant = v;
   outcome.text = change + outcome.text;
   if (proof.standing == proof::Standing::disproven) {
@@ -236,9 +236,9 @@ Outcome prove_routine(const cases::Variant& v, const ProveOptions& options,
 }
 
 /// Uses the options as long as the goals live.
-std::vector<Goal> goals_of(const Programs& programs, const ProveOptions& options) {
+std::vector<SolverGoal> goals_of(const Programs& programs, const ProveOptions& options) {
   const int seconds = options.solver.seconds;
-  std::vector<Goal> goals;
+  std::vector<SolverGoal> goals;
   for (const proof::Lemma& lemma : lemmas_for(programs)) {
     goals.emplace_back([&lemma, seconds](const proof::Solver& solver) {
       return prove_lemma(lemma, seconds, solver);
@@ -264,7 +264,7 @@ std::vector<Goal> goals_of(const Programs& programs, const ProveOptions& options
 }
 
 /// Proves several goals at a time, and prints them in their order.
-Tally prove_all(const std::vector<Goal>& goals, const ProveOptions& options) {
+Tally prove_all(const std::vector<SolverGoal>& goals, const ProveOptions& options) {
   const support::Interrupt interrupt;
   const auto begin = std::chrono::steady_clock::now();
   const proof::Solver solver(options.solver.name);
@@ -273,7 +273,7 @@ Tally prove_all(const std::vector<Goal>& goals, const ProveOptions& options) {
             << std::flush;
   Tally tally;
   tally.solver = {solver.version(), options.solver.seconds};
-  std::vector<std::optional<Outcome>> outcomes(goals.size());
+  std::vector<std::optional<GoalOutcome>> outcomes(goals.size());
   std::size_t shown = 0;
   const auto show = [&] {
     std::cout << outcomes[shown]->text << std::flush;
@@ -284,7 +284,7 @@ Tally prove_all(const std::vector<Goal>& goals, const ProveOptions& options) {
   support::ThreadPool(options.threads).run([&](std::size_t /*worker*/) {
     for (std::size_t i = next++; i < goals.size(); i = next++) {
       try {
-        Outcome outcome = goals[i](solver);
+        GoalOutcome outcome = goals[i](solver);
         const std::lock_guard lock(mutex);
         outcomes[i] = std::move(outcome);
         for (; shown < goals.size() && outcomes[shown]; ++shown) show();
@@ -338,7 +338,7 @@ int run(ProveOptions& options) {
     return 0;
   }
   options.result.open();
-  const std::vector<Goal> goals = goals_of(programs, options);
+  const std::vector<SolverGoal> goals = goals_of(programs, options);
   const Tally tally = prove_all(goals, options);
   return options.result.write(summarize(tally, goals.size()),
                               [&] { return goals_json(tally.solver, tally.goals, goals.size()); });
