@@ -2,11 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
+#include <vector>
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
@@ -20,6 +28,7 @@
 #include "support/folder_lock.hpp"
 #include "support/interrupt.hpp"
 #include "support/plain_text.hpp"
+#include "support/thread_pool.hpp"
 #include "support/usage_error.hpp"
 #include "verify/cases/words.hpp"
 #include "verify/machine_code/programs.hpp"
@@ -39,6 +48,7 @@ struct ProveOptions {
   SolverOptions solver{.seconds = 60};
   std::string directory;
   std::size_t mutant = 0;  ///< from 1; 0 if none
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   ResultFile result;
 };
 
@@ -48,7 +58,7 @@ struct Tally {
   std::size_t open = 0;
   std::size_t one_sided = 0;
   std::size_t disputed = 0;
-  double seconds = 0;
+  double seconds = 0;     ///< from the start to the end
   std::string failure{};  ///< what ended the proofs early
   SolverUse solver{};
   std::vector<GoalResult> goals{};
@@ -57,7 +67,6 @@ struct Tally {
   [[nodiscard]] std::size_t answered() const { return proven + disproven + undecided(); }
   void add(const GoalResult& goal) {
     ++count_of(goal.proof.standing);
-    seconds += goal.proof.seconds;
     goals.push_back(goal);
   }
 
@@ -79,10 +88,6 @@ struct Tally {
   }
 };
 
-void print_line(std::string_view name, std::string_view result, double seconds) {
-  std::cout << fmt::format("{:<41}{:<11}{:6.1f} s\n", name, result, seconds) << std::flush;
-}
-
 std::string_view word_for(proof::Standing standing) {
   switch (standing) {
     case proof::Standing::proven:
@@ -99,12 +104,14 @@ std::string_view word_for(proof::Standing standing) {
   return "not decided";
 }
 
-/// Prints a goal, and why some of its questions are not decided.
-void print_proof(std::string_view name, const proof::Proof& proof) {
-  print_line(name, word_for(proof.standing), proof.seconds);
+/// The line of a goal, and why some of its questions are not decided.
+std::string text_of(std::string_view name, const proof::Proof& proof) {
+  std::string text =
+      fmt::format("{:<41}{:<11}{:6.1f} s\n", name, word_for(proof.standing), proof.seconds);
   for (const std::string& remark : proof.remarks) {
-    std::cout << fmt::format("  {}\n", support::printable(remark));
+    text += fmt::format("  {}\n", support::printable(remark));
   }
+  return text;
 }
 
 x86model::Program sound_program(const x86model::LoopForm& form) {
@@ -176,78 +183,125 @@ void write_scripts(const ProveOptions& options, const Programs& programs) {
                            written, support::printable(directory));
 }
 
-void prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& solver,
-                 Tally& tally) {
+struct GoalOutcome {
+  GoalResult result;
+  std::string text;
+};
+
+/// What is to be proven, by a solver. May run on any thread.
+using SolverGoal = std::function<GoalOutcome(const proof::Solver&)>;
+
+GoalOutcome prove_lemma(const proof::Lemma& lemma, int seconds, const proof::Solver& solver) {
   const proof::SolverAnswer answer = solver.ask(lemma.smt, seconds);
   proof::Proof proof;
   proof.standing = proof::standing_of(answer.verdict);
   proof.seconds = answer.seconds;
   if (!answer.remark.empty()) proof.remarks.push_back(answer.remark);
   const std::string name = fmt::format("lemma {}", lemma.name);
-  print_proof(name, proof);
-  tally.add({name, proof});
+  return {{name, proof}, text_of(name, proof)};
 }
 
 std::string with_questions(std::string_view name, const proof::Proof& proof) {
   return fmt::format("{}, {} question{}", name, proof.questions, proof.questions == 1 ? "" : "s");
 }
 
-void prove_loop(const x86model::LoopForm& form, int seconds, const proof::Solver& solver,
-                Tally& tally) {
-  const proof::Proof proof = proof::prove(form, sound_program(form), solver, seconds);
-  print_proof(with_questions(machine_code::name_of(form), proof), proof);
-  tally.add({machine_code::name_of(form), proof});
+GoalOutcome outcome_of(const std::string& name, const proof::Proof& proof) {
+  return {{name, proof}, text_of(with_questions(name, proof), proof)};
 }
 
-void prove_routine(const cases::Variant& v, const ProveOptions& options,
-                   const proof::Solver& solver, Tally& tally) {
+GoalOutcome prove_routine(const cases::Variant& v, const ProveOptions& options,
+                          const proof::Solver& solver) {
   x86model::Program program = parties::program_of(v);
   std::string which;
+  std::string change;
   if (options.mutant != 0) {
     const x86model::Mutant mutant = proof::mutant_of(v, options.mutant);
-    std::cout << fmt::format("mutant {}: {}\n", options.mutant, mutant.change);
+    change = fmt::format("mutant {}: {}\n", options.mutant, mutant.change);
     program = mutant.program;
     which = fmt::format(" --mutant {}", options.mutant);
   }
   const proof::Proof proof = proof::prove(v, program, solver, options.solver.seconds);
-  print_proof(with_questions(cases::name_of(v), proof), proof);
-  const bool is_disproven = proof.standing == proof::Standing::disproven;
-  const std::string replay =
-      is_disproven ? verify::trace_line(v, proof.counterexample) + which : "";
-  tally.add({cases::name_of(v), proof, v, replay});
-  if (!is_disproven) return;
-  const int bits = v.format.word_bits;
-  std::cout << fmt::format("  {}: the program {}, the oracle {}\n  replay: {}\n",
-                           cases::hex_words(proof.counterexample, cases::operand_bits(v)),
-                           proof.given.text(bits), proof.wanted.text(bits), replay);
+  GoalOutcome outcome = outcome_of(cases::name_of(v), proof);
+  outcome.result.variant = v;
+  outcome.text = change + outcome.text;
+  if (proof.standing == proof::Standing::disproven) {
+    outcome.result.replay = verify::trace_line(v, proof.counterexample) + which;
+    const int bits = v.format.word_bits;
+    outcome.text +=
+        fmt::format("  {}: the program {}, the oracle {}\n  replay: {}\n",
+                    cases::hex_words(proof.counterexample, cases::operand_bits(v)),
+                    proof.given.text(bits), proof.wanted.text(bits), outcome.result.replay);
+  }
+  return outcome;
 }
 
-Tally prove_all(const Programs& programs, const ProveOptions& options) {
+/// Uses the options as long as the goals live.
+std::vector<SolverGoal> goals_of(const Programs& programs, const ProveOptions& options) {
+  const int seconds = options.solver.seconds;
+  std::vector<SolverGoal> goals;
+  for (const proof::Lemma& lemma : lemmas_for(programs)) {
+    goals.emplace_back([&lemma, seconds](const proof::Solver& solver) {
+      return prove_lemma(lemma, seconds, solver);
+    });
+  }
+  for (const cases::Variant& v : programs.routines) {
+    goals.emplace_back(
+        [v, &options](const proof::Solver& solver) { return prove_routine(v, options, solver); });
+  }
+  for (const bool mul_round : lost_carries(options, programs)) {
+    goals.emplace_back([mul_round, seconds](const proof::Solver& solver) {
+      return outcome_of(name_of_lost_carry(mul_round),
+                        proof::prove_lost_carry(mul_round, solver, seconds));
+    });
+  }
+  for (const x86model::LoopForm& form : programs.loops) {
+    goals.emplace_back([form, seconds](const proof::Solver& solver) {
+      return outcome_of(machine_code::name_of(form),
+                        proof::prove(form, sound_program(form), solver, seconds));
+    });
+  }
+  return goals;
+}
+
+/// Proves several goals at a time, and prints them in their order.
+Tally prove_all(const std::vector<SolverGoal>& goals, const ProveOptions& options) {
   const support::Interrupt interrupt;
+  const auto begin = std::chrono::steady_clock::now();
   const proof::Solver solver(options.solver.name);
   std::cout << fmt::format("{}, at most {} s per question\n\n", solver.version(),
                            options.solver.seconds)
             << std::flush;
   Tally tally;
   tally.solver = {solver.version(), options.solver.seconds};
-  try {
-    for (const proof::Lemma& lemma : lemmas_for(programs)) {
-      prove_lemma(lemma, options.solver.seconds, solver, tally);
+  std::vector<std::optional<GoalOutcome>> outcomes(goals.size());
+  std::size_t shown = 0;
+  const auto show = [&] {
+    std::cout << outcomes[shown]->text << std::flush;
+    tally.add(outcomes[shown]->result);
+  };
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  support::ThreadPool(options.threads).run([&](std::size_t /*worker*/) {
+    for (std::size_t i = next++; i < goals.size(); i = next++) {
+      try {
+        GoalOutcome outcome = goals[i](solver);
+        const std::lock_guard lock(mutex);
+        outcomes[i] = std::move(outcome);
+        for (; shown < goals.size() && outcomes[shown]; ++shown) show();
+      } catch (const support::Stopped&) {
+        return;  // and so does every other worker
+      } catch (const std::runtime_error& error) {
+        const std::lock_guard lock(mutex);
+        if (tally.failure.empty()) tally.failure = error.what();
+        next = goals.size();
+      }
     }
-    for (const cases::Variant& v : programs.routines) prove_routine(v, options, solver, tally);
-    for (const bool mul_round : lost_carries(options, programs)) {
-      const proof::Proof proof = proof::prove_lost_carry(mul_round, solver, options.solver.seconds);
-      print_proof(with_questions(name_of_lost_carry(mul_round), proof), proof);
-      tally.add({name_of_lost_carry(mul_round), proof});
-    }
-    for (const x86model::LoopForm& form : programs.loops) {
-      prove_loop(form, options.solver.seconds, solver, tally);
-    }
-  } catch (const support::Stopped&) {
-    // The summary counts the remaining goals.
-  } catch (const std::runtime_error& error) {
-    tally.failure = error.what();
+  });
+  // Behind a goal without an answer. The summary counts those.
+  for (; shown < goals.size(); ++shown) {
+    if (outcomes[shown]) show();
   }
+  tally.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return tally;
 }
 
@@ -284,11 +338,10 @@ int run(ProveOptions& options) {
     return 0;
   }
   options.result.open();
-  const std::size_t goals = lemmas_for(programs).size() + programs.routines.size() +
-                            lost_carries(options, programs).size() + programs.loops.size();
-  const Tally tally = prove_all(programs, options);
-  return options.result.write(summarize(tally, goals),
-                              [&] { return goals_json(tally.solver, tally.goals, goals); });
+  const std::vector<SolverGoal> goals = goals_of(programs, options);
+  const Tally tally = prove_all(goals, options);
+  return options.result.write(summarize(tally, goals.size()),
+                              [&] { return goals_json(tally.solver, tally.goals, goals.size()); });
 }
 
 }  // namespace
@@ -307,6 +360,9 @@ void add_prove(CLI::App& app, int& status) {
       ->add_option("--mutant", options->mutant,
                    "use this mutant of the routine; see fixproof mutate")
       ->transform(whole_number(1, 100'000));
+  command
+      ->add_option("--threads", options->threads, "goals at a time; by default one per processor")
+      ->transform(whole_number(1, 1024));
   options->result.add_to(*command);
   command->get_option("--json")->excludes(command->get_option("--write"));
   command->footer(

@@ -2,8 +2,8 @@
 """usage: performance.py [--quick] | --verify PROGRAM
 
 Builds measure/bench/fair with two compilers and two sets of flags, times all contenders in turn, and writes the tables of
-docs/performance.md. build/performance/ gets results.json and a table of times for each build. Takes at most ten
-minutes.
+docs/performance.md. build/performance/ gets results.json and a table of times for each build. Takes a quarter of
+an hour.
 --quick times for a moment, and leaves docs/performance.md alone. --verify PROGRAM only prints the error of each
 contender of one build, over few operands.
 Exit status 0: done. 1: the number type or a batch has a wrong result. 2: a build or a program fails. 130: stopped.
@@ -26,7 +26,9 @@ COMPILERS = ("g++", "clang++-14")
 FLAGS = ("-O2", "-O3 -march=native")
 # Else a loop over std::sqrt checks for errors, on either side.
 COMMON_FLAGS = "-fno-math-errno"
-PASSES = 2
+# Another user of a shared machine slows one contender for seconds. Many short passes find a time without them for each.
+PASSES = 6
+ROUNDS = 8
 
 
 class Failed(Exception):
@@ -126,13 +128,13 @@ def measure(quick):
             say(f"{name}: without {peer}, which is not installed")
     if not programs:
         raise Failed(f"neither {' nor '.join(COMPILERS)} is installed")
-    options = ["--most", "4096", "--rounds", "3"] if quick else []
+    options = ["--most", "4096", "--rounds", "3"] if quick else ["--rounds", str(ROUNDS)]
     passes = {name: [] for name in programs}
     total = len(programs) * (1 if quick else PASSES)
     before = time.monotonic()
     for done in range(total):
         name = list(programs)[done % len(programs)]
-        left = f"about {(time.monotonic() - before) / done * (total - done):.0f} s left" if done else "about 2 min left"
+        left = f"about {(time.monotonic() - before) / done * (total - done):.0f} s left" if done else "half a minute each"
         say(f"timing {done + 1} of {total}: {name}, {left}")
         passes[name].append(results(programs[name], options))
     merged = {name: merge(all_passes) for name, all_passes in passes.items()}

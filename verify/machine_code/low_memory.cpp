@@ -95,6 +95,13 @@ void* map_low(std::size_t bytes) {
   throw refused("mmap");
 }
 
+/// Whether the processor has the segment of a selector.
+bool is_there(std::uint16_t selector) {
+  bool found = false;
+  asm("lar %1, %%eax" : "=@ccz"(found) : "r"(std::uint32_t{selector}) : "eax");
+  return found;
+}
+
 }  // namespace
 
 Descriptor::Descriptor(std::uint32_t base, SegmentUse use, std::size_t bytes, int bits)
@@ -111,6 +118,12 @@ Descriptor::Descriptor(std::uint32_t base, SegmentUse use, std::size_t bytes, in
     const int reason = errno;
     entries().give_back(entry_);
     throw std::system_error(reason, std::generic_category(), "modify_ldt");
+  }
+  // Some virtual machines keep a table that the processor never gets.
+  if (!is_there(selector())) {
+    entries().give_back(entry_);
+    throw std::system_error(ENOTSUP, std::generic_category(),
+                            "modify_ldt makes segments that the processor does not have");
   }
 }
 

@@ -33,7 +33,7 @@ class Descriptor : private boost::noncopyable {
  public:
   /// @param bytes the length of the segment, at most 1 MiB
   /// @param bits  16 or 32: the default operand size of code, and the width of the stack pointer
-  /// @throws std::system_error if the system provides no entry
+  /// @throws std::system_error if the system provides no entry, or one that is without effect
   Descriptor(std::uint32_t base, SegmentUse use, std::size_t bytes, int bits = 16);
   ~Descriptor();
 

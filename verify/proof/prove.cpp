@@ -30,11 +30,16 @@ Standing standing_of(Satisfiability verdict) {
 
 namespace {
 
-/// Asks until a question makes a proof impossible. After one that only one of two solvers decides
-/// it goes on.
+/// Asks all questions together. Unless each is unsatisfiable, asks one after the other until one
+/// makes a proof impossible; after one that only one of two solvers decides it goes on.
 /// @return the answer that decides about all
 SolverAnswer ask_all(const std::vector<std::string>& scripts, const Solver& solver, int max_seconds,
                      Proof& proof) {
+  if (scripts.size() > 1) {
+    SolverAnswer together = solver.ask_together(scripts, max_seconds);
+    proof.seconds += together.seconds;
+    if (together.verdict == Satisfiability::unsatisfiable) return together;
+  }
   SolverAnswer all{.verdict = Satisfiability::unsatisfiable};
   for (std::size_t i = 0; i < scripts.size(); ++i) {
     SolverAnswer answer = solver.ask(scripts[i], max_seconds);

@@ -71,6 +71,11 @@ SolverAnswer Solver::ask(const std::string& script, int max_seconds) const {
   return must_agree_ ? ask_both(script, max_seconds) : ask_any(script, max_seconds);
 }
 
+SolverAnswer Solver::ask_together(std::span<const std::string> scripts, int max_seconds) const {
+  if (programs_.size() > 1) return {};
+  return programs_.front().ask_together(scripts, max_seconds);
+}
+
 SolverAnswer Solver::ask_both(const std::string& script, int max_seconds) const {
   std::vector<SolverAnswer> answers;
   std::string remark;

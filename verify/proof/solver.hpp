@@ -2,6 +2,7 @@
 /// The SMT solvers that answer questions.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ class Solver {
   /// first answer ends the other. One of two that fails does not decide.
   /// @throws SolverError if the only solver fails: see SolverProgram::ask(); support::Stopped
   [[nodiscard]] SolverAnswer ask(const std::string& script, int max_seconds) const;
+
+  /// Asks several questions, of which each is expected to be unsatisfiable; see
+  /// SolverProgram::ask_together(). Two solvers have no answer. @throws support::Stopped
+  [[nodiscard]] SolverAnswer ask_together(std::span<const std::string> scripts,
+                                          int max_seconds) const;
 
  private:
   [[nodiscard]] SolverAnswer ask_both(const std::string& script, int max_seconds) const;

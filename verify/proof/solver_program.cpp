@@ -96,6 +96,28 @@ SolverAnswer SolverProgram::ask(const std::string& script, int max_seconds,
   return answer;
 }
 
+SolverAnswer SolverProgram::ask_together(std::span<const std::string> scripts,
+                                         int max_seconds) const {
+  std::string all;
+  std::string expected;
+  for (const std::string& script : scripts) {
+    all += script + "(reset)\n";
+    expected += "unsat\n";
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  SolverAnswer answer;
+  try {
+    const Output output = output_for(name_, max_seconds, all, never_cancelled);
+    if (output.in_time && output.status == 0 && output.out == expected) {
+      answer.verdict = Satisfiability::unsatisfiable;
+    }
+  } catch (const SolverError&) {
+    // No answer.
+  }
+  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return answer;
+}
+
 SolverAnswer answer_in(const Output& output, const std::string& name, const std::string& script) {
   SolverAnswer answer;
   if (!output.in_time) return answer;

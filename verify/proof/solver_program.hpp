@@ -2,6 +2,7 @@
 /// Runs an SMT solver as a separate process.
 #pragma once
 
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -50,6 +51,13 @@ class SolverProgram {
   /// else than an answer, or "sat" without a model that satisfies the script; support::Stopped
   [[nodiscard]] SolverAnswer ask(const std::string& script, int max_seconds,
                                  const std::atomic<bool>& cancelled = never_cancelled) const;
+
+  /// Asks several such questions in one run, which spares the start of the solver, with one time
+  /// limit for all.
+  /// @return unsatisfiable if the solver says so of each question, and unknown otherwise: ask()
+  /// tells why. @throws support::Stopped
+  [[nodiscard]] SolverAnswer ask_together(std::span<const std::string> scripts,
+                                          int max_seconds) const;
 
  private:
   std::string name_;

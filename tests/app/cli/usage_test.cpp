@@ -132,6 +132,7 @@ TEST(Usage, NumbersAreDecimal) {
     expect_refused(fmt::format("trace mul 00018000 00028000 --mutant={}", wrong), "--mutant");
     expect_refused(fmt::format("prove mul --timeout={}", wrong), "--timeout");
     expect_refused(fmt::format("mutate mul --threads={}", wrong), "--threads");
+    expect_refused(fmt::format("prove mul --threads={}", wrong), "--threads");
   }
   expect_refused("mutate mul --seed=-1", "--seed");
 }

@@ -53,6 +53,18 @@ TEST(Proof, LemmasHoldAndTakeNothingImpossibleForGranted) {
   }
 }
 
+TEST(Proof, QuestionsAskedTogetherAreUnsatisfiableOnlyIfEachIs) {
+  const std::string& never = proof::lemmas().front().smt;
+  const std::string sometimes = assumptions(never);
+  using Scripts = std::vector<std::string>;
+  EXPECT_EQ(z3().ask_together(Scripts{never, never, never}, 60).verdict,
+            proof::Satisfiability::unsatisfiable);
+  for (const Scripts& scripts : {Scripts{never, sometimes, never}, Scripts{never, never, sometimes},
+                                 Scripts{never, "(assert", never}}) {
+    EXPECT_EQ(z3().ask_together(scripts, 60).verdict, proof::Satisfiability::unknown);
+  }
+}
+
 std::vector<std::string> answers(const std::vector<std::string>& scripts) {
   std::string all;
   for (const std::string& script : scripts) all += script + "(reset)\n";
