@@ -11,12 +11,13 @@ using judged::in_registers;
 using judged::judge;
 using judged::routine;
 
-/// Runs a routine of two registers behind STI, which only Unicorn executes.
 // Some systems make no segments for code of this processor.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): it ends the test
 #define SKIP_WITHOUT_SEGMENTS()                                                      \
   if (const auto why = fixproof::machine_code::HostSegment::absence(); !why.empty()) \
   GTEST_SKIP() << why
 
+/// Runs a routine of two registers behind STI, which only Unicorn executes.
 command::Run judge_on_unicorn(const std::string& name) {
   const ScratchFolder folder;
   const std::string source = "sti\n" + command::run({"cat", routine(name)}).out;
