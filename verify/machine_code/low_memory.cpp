@@ -95,10 +95,10 @@ void* map_low(std::size_t bytes) {
   throw refused("mmap");
 }
 
-/// Whether the processor has the segment of a selector.
+/// Whether the processor has the segment of a selector, now: not before the call that makes it.
 bool is_there(std::uint16_t selector) {
   bool found = false;
-  asm("lar %1, %%eax" : "=@ccz"(found) : "r"(std::uint32_t{selector}) : "eax");
+  asm volatile("lar %1, %%eax" : "=@ccz"(found) : "r"(std::uint32_t{selector}) : "eax", "memory");
   return found;
 }
 

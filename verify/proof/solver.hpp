@@ -28,8 +28,8 @@ class Solver {
   /// @throws SolverError if the only solver fails: see SolverProgram::ask(); support::Stopped
   [[nodiscard]] SolverAnswer ask(const std::string& script, int max_seconds) const;
 
-  /// Asks several questions, of which each is expected to be unsatisfiable; see
-  /// SolverProgram::ask_together(). Two solvers have no answer. @throws support::Stopped
+  /// Asks several questions in one run; see SolverProgram::ask_together(). With two solvers it asks
+  /// nothing, and the answer is unknown. @throws support::Stopped
   [[nodiscard]] SolverAnswer ask_together(std::span<const std::string> scripts,
                                           int max_seconds) const;
 
