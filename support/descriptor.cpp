@@ -1,7 +1,13 @@
 #include "support/descriptor.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <linux/close_range.h>
+#include <sys/syscall.h>
+#endif
 
+#include <algorithm>
 #include <cerrno>
 
 namespace fixproof::support {
@@ -44,6 +50,23 @@ int Descriptor::overwrite(std::uint32_t offset, std::string_view bytes) const {
 
 int Descriptor::flush() const {
   return ::fsync(number_) == 0 || errno == EINVAL || errno == EROFS ? 0 : errno;
+}
+
+void close_descriptors(unsigned first, unsigned last, Closing when) {
+#ifdef __linux__
+  const unsigned flags = when == Closing::at_exec ? CLOSE_RANGE_CLOEXEC : 0;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): old C libraries have no function for it
+  if (syscall(SYS_close_range, first, last, flags) == 0) return;
+#endif
+  constexpr unsigned most = 4095;  // Linux before 5.11, and other systems
+  for (unsigned i = first; i <= std::min(last, most); ++i) {
+    const int number = static_cast<int>(i);
+    if (when == Closing::now) {
+      ::close(number);
+    } else {
+      ::fcntl(number, F_SETFD, FD_CLOEXEC);
+    }
+  }
 }
 
 }  // namespace fixproof::support

@@ -1,5 +1,5 @@
 /// @file
-/// Owns a file descriptor.
+/// Owns a file descriptor, and closes those of others.
 #pragma once
 
 #include <cstdint>
@@ -36,5 +36,14 @@ class Descriptor {
  private:
   int number_;
 };
+
+enum class Closing {
+  now,
+  at_exec,  ///< when this process becomes another program
+};
+
+/// Closes the open descriptors from `first` to `last`. May be called between fork() and exec(): it
+/// allocates no memory.
+void close_descriptors(unsigned first, unsigned last, Closing when);
 
 }  // namespace fixproof::support

@@ -168,7 +168,7 @@ void run_all(const Subject& subject, const VerdictOptions& options, Verdict& ver
   for (int tries = 0; !done && no_unicorn.empty() && tries < most_tries; ++tries) {
     // The trace shows what happened, and where. If the call ends well there, the trouble is only
     // the processor's, or the machine was too busy to run the process for seconds.
-    const auto call = traced(subject, verdict.stuck->words);
+    const auto call = Tracer(subject).call(verdict.stuck->words);
     if (!call) break;
     if (!ended_well(call->answer)) {
       verdict.stuck->ending = call->answer.ending;

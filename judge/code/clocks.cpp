@@ -13,14 +13,15 @@ namespace {
 
 class Counter {
  public:
-  explicit Counter(const Subject& subject) : subject_(subject), listing_(subject.image) {
+  explicit Counter(const Subject& subject)
+      : subject_(subject), tracer_(subject), listing_(subject.image) {
     for (std::size_t i = 0; i < clocks_.on.size(); ++i) {
       clocks_.on.at(i).cpu = static_cast<x86model::Cpu>(i);
     }
   }
 
   void count(std::span<const std::uint32_t> words) {
-    const auto call = traced(subject_, words);
+    const auto call = tracer_.call(words);
     if (!call || call->answer.ending.end != End::returned) return;
     ++clocks_.calls;
     const Trace& trace = call->trace;
@@ -88,6 +89,7 @@ class Counter {
   }
 
   const Subject& subject_;
+  Tracer tracer_;
   Listing listing_;
   std::map<std::uint32_t, TimedLine> lines_;
   RoutineClocks clocks_;

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -87,10 +88,13 @@ rlim_t address_space() {
 
 /// Closes everything except the two pipes.
 void close_others(int in, int out) {
-  const long most = sysconf(_SC_OPEN_MAX);
-  for (int i = 0; i < (most > 0 && most < 4096 ? most : 4096); ++i) {
-    if (i != in && i != out) close(i);
-  }
+  using support::Closing;
+  using support::close_descriptors;
+  const auto [first, second] = std::minmax({static_cast<unsigned>(in), static_cast<unsigned>(out)});
+  // A pipe has the number 0 if this process was started without descriptors.
+  if (first > 0) close_descriptors(0, first - 1, Closing::now);
+  if (second - first > 1) close_descriptors(first + 1, second - 1, Closing::now);
+  close_descriptors(second + 1, ~0U, Closing::now);
 }
 
 [[noreturn]] void serve_all(const std::function<Confined::Serve(Confined::Steps&)>& prepare,
@@ -195,14 +199,12 @@ Reply Confined::ask(std::string_view request, const Allowance& allowance) {
 }
 
 Reply Confined::bury(Downfall reason) {
-  if (reason != Downfall::none) kill(id_, SIGKILL);
-  to_ = support::Descriptor();  // a child that reads the end of its input exits
+  // Of a child that is ending, which is why its pipes are closed, this does not change the status.
+  kill(id_, SIGKILL);
+  to_ = support::Descriptor();
   from_ = support::Descriptor();
   int status = 0;
-  for (int tries = 0; waitpid(id_, &status, WNOHANG) == 0; ++tries) {
-    if (tries == 100) kill(id_, SIGKILL);
-    usleep(1000);
-  }
+  while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {}
   id_ = -1;
   if (reason != Downfall::none) return {reason};
   if (WIFEXITED(status)) {

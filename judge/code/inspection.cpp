@@ -30,10 +30,11 @@ bool is_own(const Image& image, std::uint64_t address, std::uint32_t bytes) {
 
 class Inspector {
  public:
-  explicit Inspector(const Subject& subject) : subject_(subject), listing_(subject.image) {}
+  explicit Inspector(const Subject& subject)
+      : subject_(subject), tracer_(subject), listing_(subject.image) {}
 
   void look_at(std::span<const std::uint32_t> words) {
-    const auto call = traced(subject_, words);
+    const auto call = tracer_.call(words);
     if (!call) return;
     ++inspection_.calls;
     operands_ = text_of_operands(subject_.variant, words);
@@ -100,6 +101,7 @@ class Inspector {
   }
 
   const Subject& subject_;
+  Tracer tracer_;
   Listing listing_;
   std::map<std::uint32_t, Decoded> instructions_;  // by offset
   Inspection inspection_;
@@ -135,7 +137,7 @@ Inspection inspect(const Subject& subject) {
 }
 
 TraceText trace_text(const Subject& subject, std::span<const std::uint32_t> words) {
-  const auto call = traced(subject, words);
+  const auto call = Tracer(subject).call(words);
   if (!call) throw support::UsageError("Unicorn ends while it runs this call");
   Listing listing(subject.image);
   std::string text;

@@ -55,11 +55,12 @@ class Uses {
 std::optional<KeptState> find_kept_state(const Subject& subject,
                                          std::span<const std::uint32_t> words) {
   Uses uses(subject.image);
-  if (const auto call = traced(subject, words)) uses.add(call->trace);
+  Tracer tracer(subject);
+  if (const auto call = tracer.call(words)) uses.add(call->trace);
   check::GeneratedCases cases(subject.variant, {.cases = calls_to_inspect});
   std::vector<std::uint32_t> one(words_in(subject.variant));
   while (cases.next(one)) {
-    if (const auto call = traced(subject, one)) uses.add(call->trace);
+    if (const auto call = tracer.call(one)) uses.add(call->trace);
   }
   Listing listing(subject.image);
   return uses.kept(listing);

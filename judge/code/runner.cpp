@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "judge/code/ndisasm.hpp"
+#include "verify/machine_code/emulator.hpp"
 
 namespace fixproof::judge {
 
@@ -80,18 +81,16 @@ Confined::Serve serve_batches(const Subject& subject, On on, Confined::Steps& st
 
 /// Serves one call: the request has its words, and the reply has the answer, the number of steps,
 /// the steps and the accesses.
-Confined::Serve serve_trace(const Subject& subject) {
-  const auto trace = std::make_shared<Trace>();
-  const std::shared_ptr<Caller> caller = make_caller(subject, On::unicorn, trace.get());
-  return [trace, caller, room = std::vector<std::uint32_t>()](std::string_view request) mutable {
+Confined::Serve serve_trace(Caller& caller, const Trace& trace) {
+  return [&trace, &caller, room = std::vector<std::uint32_t>()](std::string_view request) mutable {
     read_as(request, room);
-    const Answer answer = caller->answer(room, 0);
+    const Answer answer = caller.answer(room, 0);
     std::string reply;
     append(reply, &answer, 1);
-    const auto steps = static_cast<std::uint32_t>(trace->steps.size());
+    const auto steps = static_cast<std::uint32_t>(trace.steps.size());
     append(reply, &steps, 1);
-    append(reply, trace->steps.data(), trace->steps.size());
-    append(reply, trace->accesses.data(), trace->accesses.size());
+    append(reply, trace.steps.data(), trace.steps.size());
+    append(reply, trace.accesses.data(), trace.accesses.size());
     return reply;
   };
 }
@@ -197,13 +196,24 @@ std::vector<Answer> Runner::answers(std::span<const std::uint32_t> words) {
   return all;
 }
 
-std::optional<TracedCall> traced(const Subject& subject, std::span<const std::uint32_t> words) {
-  Confined child([&subject](Confined::Steps&) { return serve_trace(subject); }, memory_for_unicorn,
-                 Calls::emulator);
+Tracer::Tracer(const Subject& subject) : subject_(subject) {
+  try {
+    caller_ = make_caller(subject, On::unicorn, &trace_);
+  } catch (const machine_code::EmulatorError&) {
+    // Unicorn cannot hold this program: no call has a trace.
+  }
+}
+
+Tracer::~Tracer() = default;
+
+std::optional<TracedCall> Tracer::call(std::span<const std::uint32_t> words) {
+  if (!caller_) return std::nullopt;
+  Confined child([this](Confined::Steps&) { return serve_trace(*caller_, trace_); },
+                 memory_for_unicorn, Calls::emulator);
   const Reply reply = child.ask(
       bytes_of(words),
       {.step = 5 * time_of_case, .whole = 5 * time_of_case, .steps = 0, .bytes = longest_trace});
-  return read_trace(reply.bytes, registers_of(subject.image));
+  return read_trace(reply.bytes, registers_of(subject_.image));
 }
 
 }  // namespace fixproof::judge

@@ -6,7 +6,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 #ifdef __linux__
-#include <linux/close_range.h>
 #include <linux/landlock.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
@@ -94,15 +93,6 @@ class Rules {
 
 int open_nameless() { return memfd_create("fixproof", MFD_CLOEXEC); }
 
-/// In the child: descriptors that this process inherited must not reach the program.
-void close_all_at_exec() {
-  constexpr unsigned first = 3;
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): old C libraries have no function for it
-  if (syscall(SYS_close_range, first, ~0U, CLOSE_RANGE_CLOEXEC) == 0) return;
-  constexpr int most = 4096;  // Linux before 5.11
-  for (int i = first; i < most; ++i) fcntl(i, F_SETFD, FD_CLOEXEC);
-}
-
 #else
 
 long version_of_landlock() { return -1; }
@@ -111,8 +101,6 @@ struct Rules {
   Rules(const std::string& /*program*/, const std::string& /*folder*/) {}
   [[nodiscard]] bool apply() const { return true; }
 };
-
-void close_all_at_exec() {}
 
 int open_nameless() {
   std::string name = "/tmp/fixproof.XXXXXX";
@@ -156,7 +144,8 @@ proof::Output run_tool(const std::vector<std::string>& arguments, const std::str
     }
     // Between fork() and exec(): no memory may be allocated.
     const auto confine = [&] {
-      close_all_at_exec();
+      // Descriptors that this process inherited must not reach the program.
+      support::close_descriptors(3, ~0U, support::Closing::at_exec);
       for (const ToolFile* file : files) fcntl(file->number(), F_SETFD, 0);
       limit(RLIMIT_CORE, 0);
       limit(RLIMIT_AS, most_memory);
