@@ -23,6 +23,8 @@ class X86Caller final : public Caller {
     return answer;
   }
 
+  [[nodiscard]] std::uint8_t* memory() const override { return machine_->memory(); }
+
  private:
   cases::Variant variant_;
   std::unique_ptr<Machine> machine_;

@@ -40,6 +40,8 @@ class Caller : private boost::noncopyable {
 
   /// @param number decides what the call finds where it has no operand
   virtual Answer answer(std::span<const std::uint32_t> words, std::uint64_t number) = 0;
+  /// Returns the memory of the machine, laid out as Image::memory.
+  [[nodiscard]] virtual std::uint8_t* memory() const = 0;
 };
 
 /// @param trace receives every step of the calls, and must outlive the caller; null for speed

@@ -31,6 +31,8 @@ class CallerElsewhere final : public Caller {
     return answer;
   }
 
+  [[nodiscard]] std::uint8_t* memory() const override { return machine_->memory(); }
+
  private:
   [[nodiscard]] std::uint8_t* at(std::uint32_t address) const {
     return machine_->memory() + image_.index_of(address);

@@ -88,8 +88,8 @@ rlim_t address_space() {
 
 /// Closes everything except the two pipes.
 void close_others(int in, int out) {
-  using support::Closing;
   using support::close_descriptors;
+  using support::Closing;
   const auto [first, second] = std::minmax({static_cast<unsigned>(in), static_cast<unsigned>(out)});
   // A pipe has the number 0 if this process was started without descriptors.
   if (first > 0) close_descriptors(0, first - 1, Closing::now);
@@ -204,7 +204,8 @@ Reply Confined::bury(Downfall reason) {
   to_ = support::Descriptor();
   from_ = support::Descriptor();
   int status = 0;
-  while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {}
+  while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+  }
   id_ = -1;
   if (reason != Downfall::none) return {reason};
   if (WIFEXITED(status)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 #include <type_traits>
 #include <utility>
 
@@ -79,10 +80,44 @@ Confined::Serve serve_batches(const Subject& subject, On on, Confined::Steps& st
   };
 }
 
-/// Serves one call: the request has its words, and the reply has the answer, the number of steps,
-/// the steps and the accesses.
-Confined::Serve serve_trace(Caller& caller, const Trace& trace) {
-  return [&trace, &caller, room = std::vector<std::uint32_t>()](std::string_view request) mutable {
+/// Returns where an access is in Image::memory; nothing if it is not all there.
+std::optional<std::size_t> index_of(const Image& image, const Access& access) {
+  const std::uint64_t at = access.address - image.base;
+  const std::size_t size = image.memory.size();
+  if (access.bytes == 0 || at >= size || access.bytes > size - at) return std::nullopt;
+  return at;
+}
+
+/// Whether what a call wrote can be put back for the next one. Unicorn keeps a translation of code,
+/// by pages, so no page with code may have changed.
+bool can_be_undone(const Image& image, const Trace& trace) {
+  constexpr std::uint64_t page = 0x1000;
+  std::set<std::uint64_t> pages;
+  for (const Step& step : trace.steps) {
+    const std::uint64_t at = image.index_of(image.code_at(step.at));
+    pages.insert({at / page, (at + step.bytes) / page});
+  }
+  return std::ranges::all_of(trace.accesses, [&](const Access& access) {
+    const auto at = index_of(image, access);
+    return access.is_write == 0 ||
+           (at && !pages.contains(*at / page) && !pages.contains((*at + access.bytes - 1) / page));
+  });
+}
+
+/// Serves calls: a request has the words of one, and the reply has the answer, the number of steps,
+/// the steps and the accesses. Each call finds the memory that the first one found.
+/// @param fresh that memory
+Confined::Serve serve_traces(const Image& image, Caller& caller, Trace& trace,
+                             const std::vector<std::uint8_t>& fresh) {
+  return [&, room = std::vector<std::uint32_t>()](std::string_view request) mutable {
+    for (const Access& access : trace.accesses) {
+      const auto at = index_of(image, access);
+      if (access.is_write != 0 && at) {
+        std::copy_n(fresh.data() + *at, access.bytes, caller.memory() + *at);
+      }
+    }
+    trace.steps.clear();
+    trace.accesses.clear();
     read_as(request, room);
     const Answer answer = caller.answer(room, 0);
     std::string reply;
@@ -199,6 +234,7 @@ std::vector<Answer> Runner::answers(std::span<const std::uint32_t> words) {
 Tracer::Tracer(const Subject& subject) : subject_(subject) {
   try {
     caller_ = make_caller(subject, On::unicorn, &trace_);
+    fresh_.assign(caller_->memory(), caller_->memory() + subject.image.memory.size());
   } catch (const machine_code::EmulatorError&) {
     // Unicorn cannot hold this program: no call has a trace.
   }
@@ -208,12 +244,18 @@ Tracer::~Tracer() = default;
 
 std::optional<TracedCall> Tracer::call(std::span<const std::uint32_t> words) {
   if (!caller_) return std::nullopt;
-  Confined child([this](Confined::Steps&) { return serve_trace(*caller_, trace_); },
-                 memory_for_unicorn, Calls::emulator);
-  const Reply reply = child.ask(
+  const Image& image = subject_.image;
+  if (!child_) {
+    child_ = std::make_unique<Confined>(
+        [&](Confined::Steps&) { return serve_traces(image, *caller_, trace_, fresh_); },
+        memory_for_unicorn, Calls::emulator);
+  }
+  const Reply reply = child_->ask(
       bytes_of(words),
       {.step = 5 * time_of_case, .whole = 5 * time_of_case, .steps = 0, .bytes = longest_trace});
-  return read_trace(reply.bytes, registers_of(subject_.image));
+  auto call = read_trace(reply.bytes, registers_of(image));
+  if (!call || !ended_well(call->answer) || !can_be_undone(image, call->trace)) child_.reset();
+  return call;
 }
 
 }  // namespace fixproof::judge

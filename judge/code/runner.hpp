@@ -63,23 +63,24 @@ std::optional<std::vector<Answer>> read_answers(std::string_view reply, std::siz
 /// accesses, an ending or a register that is none, or an access of no step or of too many bytes.
 std::optional<TracedCall> read_trace(std::string_view reply, std::size_t registers);
 
-/// Traces calls on Unicorn. Each call has a process of its own, a copy of this one, so that no call
-/// sees what another one left in memory.
+/// Traces calls on Unicorn, in a process of its own. No call sees what another one left in memory.
 class Tracer : private boost::noncopyable {
  public:
   /// @param subject must outlive the tracer
   explicit Tracer(const Subject& subject);
   ~Tracer();
 
-  /// Returns nothing if Unicorn cannot hold the program, or if the process dies, which only a defect
-  /// of Unicorn can cause.
+  /// Returns nothing if Unicorn cannot hold the program, or if the process dies, which only a
+  /// defect of Unicorn can cause.
   /// @throws support::Stopped; std::system_error if the system provides no process
   std::optional<TracedCall> call(std::span<const std::uint32_t> words);
 
  private:
   const Subject& subject_;
   Trace trace_;
-  std::unique_ptr<Caller> caller_;  ///< to copy: it takes longer to make than to call
+  std::unique_ptr<Caller> caller_;   ///< the process has a copy, which is made sooner than another
+  std::vector<std::uint8_t> fresh_;  ///< its memory before a call
+  std::unique_ptr<Confined> child_;  ///< none before the first call, and after one that left traces
 };
 
 }  // namespace fixproof::judge

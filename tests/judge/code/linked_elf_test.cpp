@@ -236,8 +236,8 @@ std::string refusal_of(const std::string& bytes) {
 TEST_F(JudgeLinkedElf, CutAndChangedFilesAreRefusedOrLoaded) {
   for (const int bits : {32, 64}) {
     // Without the padding to pages, which is half of the file.
-    const std::string whole = bytes_in(
-        linked(folder, bits, linked_product(bits), shared + "|-z|max-page-size=16"));
+    const std::string whole =
+        bytes_in(linked(folder, bits, linked_product(bits), shared + "|-z|max-page-size=16"));
     ASSERT_LT(whole.size(), 4000U);
     EXPECT_EQ(refusal_of(whole), "");
     for (std::size_t size = 1; size < whole.size(); size += 3) {

@@ -1,0 +1,71 @@
+// Traced calls share a process, and find the memory that the first one found.
+#include "judge/code/frame.hpp"
+#include "judge/code/load.hpp"
+#include "judge/code/runner.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/test.hpp"
+
+namespace tracer_test {
+
+namespace {
+
+using namespace fixproof;
+
+/// Expects that each of three calls returns `result` in EAX, in as many steps.
+void expect_always(std::uint32_t result, const std::string& code) {
+  const ScratchFolder folder;
+  const judge::Image image = judge::load(folder.write("code.asm", "bits 32\n" + code), {});
+  const cases::Variant product{};
+  const judge::Subject subject{image, judge::frame_for(image, "eax, ebx -> eax", product), product};
+  judge::Tracer tracer(subject);
+  std::size_t steps = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto call = tracer.call(std::vector<std::uint32_t>{7, 9});
+    ASSERT_TRUE(call) << code;
+    EXPECT_EQ(call->answer.ending.end, judge::End::returned) << code;
+    EXPECT_EQ(call->answer.words.front(), result) << code << i;
+    if (i > 0) EXPECT_EQ(call->trace.steps.size(), steps) << code;
+    steps = call->trace.steps.size();
+  }
+}
+
+const std::string counts = "inc dword [count]\nmov eax, [count]\nret\n";
+
+TEST(Tracer, AVariableIsAsInTheFirstCall) {
+  expect_always(6, counts + "times 8192 nop\ncount: dd 5\n");
+  // In the page of the code.
+  expect_always(6, counts + "count: dd 5\n");
+}
+
+TEST(Tracer, TheStackIsAsInTheFirstCall) {
+  expect_always(0xF4F4F4F4, "mov eax, [esp-64]\nmov dword [esp-64], 5\nret\n");
+}
+
+TEST(Tracer, ACallThatChangesItsCodeChangesItForNoOther) {
+  expect_always(1, "code: mov eax, 1\ninc byte [code+1]\nret\n");
+  // In the page before that of the code, which has run by then.
+  expect_always(2,
+                "jmp code\ntimes 4096-($-$$) nop\ncode: mov eax, 1\ninc byte [code+1]\n"
+                "cmp byte [code+1], 2\nje code\nret\n");
+}
+
+TEST(Tracer, ACallThatFaultsIsFollowedByOthers) {
+  const ScratchFolder folder;
+  const judge::Image image =
+      judge::load(folder.write("code.asm",
+                               "bits 32\ntest eax, eax\njz .fault\nmov eax, 3\nret\n"
+                               ".fault: mov [0xF0000000], eax\nret\n"),
+                  {});
+  const cases::Variant product{};
+  const judge::Subject subject{image, judge::frame_for(image, "eax, ebx -> eax", product), product};
+  judge::Tracer tracer(subject);
+  for (const std::uint32_t eax : {1U, 0U, 1U}) {
+    const auto call = tracer.call(std::vector<std::uint32_t>{eax, 9});
+    ASSERT_TRUE(call);
+    EXPECT_EQ(call->answer.ending.end, eax == 0 ? judge::End::bad_address : judge::End::returned);
+  }
+}
+
+}  // namespace
+
+}  // namespace tracer_test
