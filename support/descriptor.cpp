@@ -2,7 +2,7 @@
 
 #include <fcntl.h>
 #include <unistd.h>
-#ifdef __linux__
+#if defined(__linux__) && __has_include(<linux/close_range.h>)
 #include <linux/close_range.h>
 #include <sys/syscall.h>
 #endif
@@ -53,12 +53,12 @@ int Descriptor::flush() const {
 }
 
 void close_descriptors(unsigned first, unsigned last, Closing when) {
-#ifdef __linux__
+#ifdef CLOSE_RANGE_CLOEXEC
   const unsigned flags = when == Closing::at_exec ? CLOSE_RANGE_CLOEXEC : 0;
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): old C libraries have no function for it
   if (syscall(SYS_close_range, first, last, flags) == 0) return;
 #endif
-  constexpr unsigned most = 4095;  // Linux before 5.11, and other systems
+  constexpr unsigned most = 4095;
   for (unsigned i = first; i <= std::min(last, most); ++i) {
     const int number = static_cast<int>(i);
     if (when == Closing::now) {

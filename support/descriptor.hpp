@@ -42,8 +42,8 @@ enum class Closing {
   at_exec,  ///< when this process becomes another program
 };
 
-/// Closes the open descriptors from `first` to `last`. May be called between fork() and exec(): it
-/// allocates no memory.
+/// Closes the open descriptors from `first` to `last`; up to 4095 on a system without
+/// close_range(). May be called between fork() and exec(): it allocates no memory.
 void close_descriptors(unsigned first, unsigned last, Closing when);
 
 }  // namespace fixproof::support

@@ -199,7 +199,7 @@ Reply Confined::ask(std::string_view request, const Allowance& allowance) {
 }
 
 Reply Confined::bury(Downfall reason) {
-  // Of a child that is ending, which is why its pipes are closed, this does not change the status.
+  // A child that has closed its pipes is ending: its status is fixed. Any other child ends now.
   kill(id_, SIGKILL);
   to_ = support::Descriptor();
   from_ = support::Descriptor();

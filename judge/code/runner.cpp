@@ -1,7 +1,10 @@
 #include "judge/code/runner.hpp"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -80,6 +83,16 @@ Confined::Serve serve_batches(const Subject& subject, On on, Confined::Steps& st
   };
 }
 
+/// Whether this process may have as much memory as Unicorn takes, which ends a process that may
+/// not.
+bool has_room_for_unicorn() {
+  void* const room = mmap(nullptr, memory_for_unicorn, PROT_READ | PROT_WRITE,
+                          MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED) return false;
+  munmap(room, memory_for_unicorn);
+  return true;
+}
+
 /// Returns where an access is in Image::memory; nothing if it is not all there.
 std::optional<std::size_t> index_of(const Image& image, const Access& access) {
   const std::uint64_t at = access.address - image.base;
@@ -88,16 +101,20 @@ std::optional<std::size_t> index_of(const Image& image, const Access& access) {
   return at;
 }
 
-/// Whether what a call wrote can be put back for the next one. Unicorn keeps a translation of code,
-/// by pages, so no page with code may have changed.
-bool can_be_undone(const Image& image, const Trace& trace) {
+/// Whether what a call wrote can be put back for the next one. Of other processors, a trace lacks
+/// some writes, such as those of MVC on s390x, and calls leave registers behind. Unicorn keeps a
+/// translation of code, by pages: no page with code may have changed, and a call that does not
+/// return may have more of it than its steps.
+bool can_be_undone(const Image& image, const TracedCall& call) {
+  if (image.architecture != nullptr || call.answer.ending.end != End::returned) return false;
   constexpr std::uint64_t page = 0x1000;
   std::set<std::uint64_t> pages;
-  for (const Step& step : trace.steps) {
+  for (const Step& step : call.trace.steps) {
     const std::uint64_t at = image.index_of(image.code_at(step.at));
+    if (at >= image.memory.size()) return false;
     pages.insert({at / page, (at + step.bytes) / page});
   }
-  return std::ranges::all_of(trace.accesses, [&](const Access& access) {
+  return std::ranges::all_of(call.trace.accesses, [&](const Access& access) {
     const auto at = index_of(image, access);
     return access.is_write == 0 ||
            (at && !pages.contains(*at / page) && !pages.contains((*at + access.bytes - 1) / page));
@@ -232,15 +249,17 @@ std::vector<Answer> Runner::answers(std::span<const std::uint32_t> words) {
 }
 
 Tracer::Tracer(const Subject& subject) : subject_(subject) {
+  if (!has_room_for_unicorn()) return;
   try {
     caller_ = make_caller(subject, On::unicorn, &trace_);
+    if (subject.image.architecture != nullptr) return;
     fresh_.assign(caller_->memory(), caller_->memory() + subject.image.memory.size());
   } catch (const machine_code::EmulatorError&) {
-    // Unicorn cannot hold this program: no call has a trace.
+    caller_.reset();
+  } catch (const std::bad_alloc&) {
+    caller_.reset();
   }
 }
-
-Tracer::~Tracer() = default;
 
 std::optional<TracedCall> Tracer::call(std::span<const std::uint32_t> words) {
   if (!caller_) return std::nullopt;
@@ -254,7 +273,7 @@ std::optional<TracedCall> Tracer::call(std::span<const std::uint32_t> words) {
       bytes_of(words),
       {.step = 5 * time_of_case, .whole = 5 * time_of_case, .steps = 0, .bytes = longest_trace});
   auto call = read_trace(reply.bytes, registers_of(image));
-  if (!call || !ended_well(call->answer) || !can_be_undone(image, call->trace)) child_.reset();
+  if (!call || !can_be_undone(image, *call)) child_.reset();
   return call;
 }
 

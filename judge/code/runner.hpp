@@ -2,6 +2,7 @@
 /// Runs a user's routine for many cases, in a process of its own.
 #pragma once
 
+#include <boost/noncopyable.hpp>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -63,24 +64,24 @@ std::optional<std::vector<Answer>> read_answers(std::string_view reply, std::siz
 /// accesses, an ending or a register that is none, or an access of no step or of too many bytes.
 std::optional<TracedCall> read_trace(std::string_view reply, std::size_t registers);
 
-/// Traces calls on Unicorn, in a process of its own. No call sees what another one left in memory.
+/// Traces calls on an emulator, in a process that calls share while what they wrote can be put
+/// back. No call sees what another one left.
 class Tracer : private boost::noncopyable {
  public:
   /// @param subject must outlive the tracer
   explicit Tracer(const Subject& subject);
-  ~Tracer();
 
-  /// Returns nothing if Unicorn cannot hold the program, or if the process dies, which only a
-  /// defect of Unicorn can cause.
+  /// Returns nothing if there is no memory for the emulator, or if the process dies, which only a
+  /// defect of the emulator can cause.
   /// @throws support::Stopped; std::system_error if the system provides no process
   std::optional<TracedCall> call(std::span<const std::uint32_t> words);
 
  private:
   const Subject& subject_;
   Trace trace_;
-  std::unique_ptr<Caller> caller_;   ///< the process has a copy, which is made sooner than another
-  std::vector<std::uint8_t> fresh_;  ///< its memory before a call
-  std::unique_ptr<Confined> child_;  ///< none before the first call, and after one that left traces
+  std::unique_ptr<Caller> caller_;   ///< a process gets a copy: a fork is faster than an emulator
+  std::vector<std::uint8_t> fresh_;  ///< the memory of x86 code before a call
+  std::unique_ptr<Confined> child_;  ///< none after a call that cannot be undone
 };
 
 }  // namespace fixproof::judge

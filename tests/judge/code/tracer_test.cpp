@@ -1,4 +1,7 @@
 // Traced calls share a process, and find the memory that the first one found.
+#include <fstream>
+#include <iterator>
+
 #include "judge/code/frame.hpp"
 #include "judge/code/load.hpp"
 #include "judge/code/runner.hpp"
@@ -58,14 +61,36 @@ TEST(Tracer, ACallThatChangesItsCodeChangesItForNoOther) {
 }
 
 TEST(Tracer, ACallThatFaultsIsFollowedByOthers) {
-  const judge::Subject subject =
-      subject_of("test eax, eax\njz .fault\nmov eax, 3\nret\n.fault: mov [0xF0000000], eax\nret\n");
-  judge::Tracer tracer(subject);
-  for (const std::uint32_t eax : {1U, 0U, 1U}) {
-    const auto call = tracer.call(std::vector<std::uint32_t>{eax, 9});
-    ASSERT_TRUE(call);
-    EXPECT_EQ(call->answer.ending.end, eax == 0 ? judge::End::bad_address : judge::End::returned);
+  const std::string good = "test eax, eax\njz .zero\nmov eax, 3\nret\n.zero: ";
+  for (const auto& [code, end] :
+       {std::pair{"mov [0xF0000000], eax\nret\n", judge::End::bad_address},
+        std::pair{"div eax\nret\n", judge::End::divide_error}}) {
+    const judge::Subject subject = subject_of(good + code);
+    judge::Tracer tracer(subject);
+    for (const std::uint32_t eax : {1U, 0U, 1U}) {
+      const auto call = tracer.call(std::vector<std::uint32_t>{eax, 9});
+      ASSERT_TRUE(call);
+      EXPECT_EQ(call->answer.ending.end, eax == 0 ? end : judge::End::returned) << code;
+    }
   }
+}
+
+std::vector<int> children() {
+  std::ifstream list("/proc/thread-self/children");
+  return {std::istream_iterator<int>(list), {}};
+}
+
+TEST(Tracer, CallsShareAProcessUntilOneCannotBeUndone) {
+  const judge::Subject subject = subject_of(
+      "push ebx\npop ebx\ntest eax, eax\njz code\ninc byte [code+1]\ncode: mov eax, 1\nret\n");
+  judge::Tracer tracer(subject);
+  ASSERT_TRUE(tracer.call(std::vector<std::uint32_t>{0, 9}));
+  const std::vector<int> first = children();
+  EXPECT_EQ(first.size(), 1U);
+  ASSERT_TRUE(tracer.call(std::vector<std::uint32_t>{0, 9}));
+  EXPECT_EQ(children(), first);
+  ASSERT_TRUE(tracer.call(std::vector<std::uint32_t>{1, 9}));
+  EXPECT_TRUE(children().empty());
 }
 
 }  // namespace
