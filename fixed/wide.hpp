@@ -29,6 +29,54 @@ using numerator_t = std::conditional_t<
     std::is_unsigned_v<Raw> && bits_of<Raw> == 32, std::uint64_t,
     std::conditional_t<(bits_of<Raw> <= 32), product_t<Raw>, signed_t<2 * signed_bits<Raw> + 1>>>;
 
+/// A sum of 32 or 64 bits that remembers whether it always fitted. @pre terms are below `start`
+template <class Int>
+class watched_sum {
+ public:
+  constexpr void add(Int term) noexcept { set(static_cast<bits>(sum_) + static_cast<bits>(term)); }
+  constexpr void subtract(Int term) noexcept {
+    set(static_cast<bits>(sum_) - static_cast<bits>(term));
+  }
+
+  /// The sum. Executes a trap instruction if it or an earlier one did not fit.
+  [[nodiscard]] constexpr Int value() const noexcept {
+    if (all_ >> 31 != 0) trap();
+    return sum_ - start;
+  }
+
+ private:
+  using bits = std::make_unsigned_t<Int>;
+  // A sum that fits is positive with this. The first one that does not fit is negative.
+  static constexpr Int start = Int{1} << (bits_of<Int> - 2);
+
+  // Keeps the upper bits of all sums, which takes an instruction where a branch takes two.
+  constexpr void set(bits sum) noexcept {
+    sum_ = static_cast<Int>(sum);
+    all_ |= static_cast<std::uint32_t>(sum >> (bits_of<Int> - 32));
+  }
+
+  Int sum_ = start;
+  std::uint32_t all_ = 0;
+};
+
+/// A sum that has room for every term.
+template <class Wide>
+class roomy_sum {
+ public:
+  template <class Term>
+  constexpr void add(const Term& term) noexcept {
+    sum_ += term;
+  }
+  template <class Term>
+  constexpr void subtract(const Term& term) noexcept {
+    sum_ -= term;
+  }
+  [[nodiscard]] constexpr const Wide& value() const noexcept { return sum_; }
+
+ private:
+  Wide sum_{0};
+};
+
 }  // namespace detail
 
 /// a * b / c, rounded once by policy::divide. The policy handles overflow of the result, as for
@@ -83,15 +131,16 @@ template <class Number, detail::integer Int>
 ///
 /// It has room for 2^62 terms of any value, or for Terms. A program that promises few terms gets a
 /// sum of 32 or 64 bits, if that holds them all. Beyond Terms, the sum is still exact as long as it
-/// fits. One that does not fit executes a trap instruction, under every policy, and does not
-/// compile in a constant expression. A sum of over 64 bits has room for 2^62 and is not checked.
+/// fits. After one that does not fit, result() executes a trap instruction, under every policy, and
+/// does not compile in a constant expression. A sum of over 64 bits has room for 2^62 and is not
+/// checked.
 ///
 ///     static_assert([] {
 ///       accumulator<q2_30> sum;  // a biquad filter with coefficients beyond 1
 ///       sum.add_product(q2_30(1.75), q2_30(1.5)).subtract_product(q2_30(1.25), q2_30(1.5));
 ///       return sum.result() == q2_30(0.75);
 ///     }());
-///     static_assert(sizeof(accumulator<q1_15>) == 16 && sizeof(accumulator<q1_15, 8>) == 8);
+///     static_assert(sizeof(accumulator<q1_15, 8>) == 16 && sizeof(accumulator<q8_0, 8>) == 8);
 template <class Number, std::uint64_t Terms = std::uint64_t{1} << 62>
 class accumulator {
   static_assert(Terms > 0 && Terms <= std::uint64_t{1} << 62, "an accumulator has 1 to 2^62 terms");
@@ -101,7 +150,7 @@ class accumulator {
   static constexpr int term_bits =
       detail::signed_bits<raw> - 1 + detail::larger(detail::signed_bits<raw> - 1, fraction);
   // Terms of them are below 2^few_bits. Two bits more leave room for the sign, and for a term or
-  // for rounding before the sum is checked. A sum of more than 64 bits has room for 2^62 terms.
+  // for rounding. A sum of more than 64 bits has room for 2^62 terms.
   static constexpr int few_bits = term_bits + std::bit_width(Terms);
   static constexpr bool is_checked = few_bits <= 62;
   using wide = detail::signed_t<is_checked ? few_bits + 2 : term_bits + 64>;
@@ -113,16 +162,24 @@ class accumulator {
   constexpr accumulator() noexcept = default;
 
   /// Adds a number.
-  constexpr accumulator& add(Number x) noexcept { return plus(wide{x.raw()} << fraction); }
+  constexpr accumulator& add(Number x) noexcept {
+    sum_.add(wide{x.raw()} << fraction);
+    return *this;
+  }
   /// Subtracts a number.
-  constexpr accumulator& subtract(Number x) noexcept { return minus(wide{x.raw()} << fraction); }
+  constexpr accumulator& subtract(Number x) noexcept {
+    sum_.subtract(wide{x.raw()} << fraction);
+    return *this;
+  }
   /// Adds a * b without rounding it.
   constexpr accumulator& add_product(Number a, Number b) noexcept {
-    return plus(product{a.raw()} * product{b.raw()});
+    sum_.add(product{a.raw()} * product{b.raw()});
+    return *this;
   }
   /// Subtracts a * b without rounding it.
   constexpr accumulator& subtract_product(Number a, Number b) noexcept {
-    return minus(product{a.raw()} * product{b.raw()});
+    sum_.subtract(product{a.raw()} * product{b.raw()});
+    return *this;
   }
 
   /// The sum, rounded once by policy::multiply. The policy handles overflow, as for products.
@@ -131,10 +188,11 @@ class accumulator {
     // The shifts of a wide_integer take hundreds of instructions.
     if constexpr (std::is_same_v<wide, detail::wide_integer<2>> &&
                   detail::has_wide_sum<raw, fraction>) {
-      return detail::rounded_sum<Number>(detail::wide_sum(sum_.word(0), sum_.word(1)), fail);
+      return detail::rounded_sum<Number>(
+          detail::wide_sum(sum_.value().word(0), sum_.value().word(1)), fail);
     } else {
       return Number::from_raw(detail::narrow<Number::rules.product_range(), raw>(
-          detail::shift_right<Number::rules.multiply>(sum_, fraction), fail));
+          detail::shift_right<Number::rules.multiply>(sum_.value(), fraction), fail));
     }
   }
 
@@ -147,34 +205,12 @@ class accumulator {
   requires detail::is_plain_number<To>
   [[nodiscard]] constexpr To result() const noexcept(To::multiply_never_throws) {
     return To::from_raw(detail::narrow<To::rules.product_range(), typename To::raw_type>(
-        detail::rescaled<To, 2 * fraction, sum_bits>(sum_),
+        detail::rescaled<To, 2 * fraction, sum_bits>(sum_.value()),
         [] { detail::raise<overflow_error>("overflow", "accumulator::result"); }));
   }
 
  private:
-  template <class Term>
-  constexpr accumulator& plus(const Term& term) noexcept {
-    sum_ += term;
-    return checked();
-  }
-  template <class Term>
-  constexpr accumulator& minus(const Term& term) noexcept {
-    sum_ -= term;
-    return checked();
-  }
-
-  /// Stops at a sum whose two upper bits differ. Looks at its upper word alone, because processors
-  /// of 32 bits compare 64 bits slowly.
-  constexpr accumulator& checked() noexcept {
-    if constexpr (is_checked) {
-      constexpr int below = detail::bits_of<wide> - 32;
-      const auto upper = static_cast<std::uint32_t>(sum_ >> below);
-      if ((upper ^ upper << 1) >> 31 != 0) detail::trap();
-    }
-    return *this;
-  }
-
-  wide sum_{0};
+  std::conditional_t<is_checked, detail::watched_sum<wide>, detail::roomy_sum<wide>> sum_{};
 };
 
 /// @cond

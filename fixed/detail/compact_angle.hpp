@@ -2,7 +2,8 @@
 /// Angles of vectors and triangles, computed in compact words of at most 32 bits. Each is the
 /// nearest integer of ulps.
 ///
-/// The steps and the bounds are those of arctangent.hpp and arcsine.hpp without their quick tries.
+/// The steps and the bounds of angles of vectors are those of arctangent.hpp without its quick try.
+/// Those of triangles have a table of their own, which takes no division.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +13,7 @@
 #include "fixed/detail/arctangent.hpp"
 #include "fixed/detail/assert.hpp"
 #include "fixed/detail/compact_words.hpp"
+#include "fixed/detail/cosine.hpp"
 #include "fixed/detail/digit_angle.hpp"
 #include "fixed/detail/function_kinds.hpp"
 #include "fixed/detail/function_tables.hpp"
@@ -63,57 +65,79 @@ constexpr long_angle long_arctangent(std::uint64_t n, std::uint64_t d) noexcept 
               static_cast<std::int64_t>(less << 39 >> 32)};
 }
 
-/// The angle of (width, height), or of (-width, height), from 0 to pi, or `undecided`.
-constexpr std::int64_t angle_ulps(std::uint64_t height, std::uint64_t width, bool is_left,
-                                  std::int64_t error, int fraction_bits) noexcept {
+/// The angle of a vector, or `undecided`.
+constexpr std::int64_t vector_angle_ulps(std::int64_t y, std::int64_t x,
+                                         int fraction_bits) noexcept {
+  if (y == 0 && x >= 0) return 0;
+  const auto height = static_cast<std::uint64_t>(y < 0 ? -y : y);
+  const auto width = static_cast<std::uint64_t>(x < 0 ? -x : x);
   const bool is_steep = width < height;
   long_angle angle = long_arctangent(is_steep ? width : height, is_steep ? height : width);
   if (is_steep) {
     angle = {static_cast<std::int64_t>(pi_58 >> 1) - angle.high,
              (std::int64_t{pi_58 & 1} << 31) + (pi_rest >> 1) - angle.low};
   }
-  if (is_left) angle = {static_cast<std::int64_t>(pi_58) - angle.high, pi_rest - angle.low};
-  return nearest_or_undecided(angle.high + ((angle.low - error) >> 32),
-                              angle.high + ((angle.low + error) >> 32), 58 - fraction_bits);
-}
-
-constexpr std::int64_t vector_angle_ulps(std::int64_t y, std::int64_t x,
-                                         int fraction_bits) noexcept {
-  if (y == 0 && x >= 0) return 0;
+  if (x < 0) angle = {static_cast<std::int64_t>(pi_58) - angle.high, pi_rest - angle.low};
   // No vector is nearer to a tie than 2^-80.5 if the result has at most 16 fraction bits; see
   // docs/functions/arctangent.md.
-  const std::int64_t ulps = angle_ulps(
-      static_cast<std::uint64_t>(y < 0 ? -y : y), static_cast<std::uint64_t>(x < 0 ? -x : x), x < 0,
-      fraction_bits <= most_angle_bits ? 0 : angle_error, fraction_bits);
+  const std::int64_t error = fraction_bits <= most_angle_bits ? 0 : angle_error;
+  const std::int64_t ulps =
+      nearest_or_undecided(angle.high + ((angle.low - error) >> 32),
+                           angle.high + ((angle.low + error) >> 32), 58 - fraction_bits);
   return y < 0 && ulps != undecided ? -ulps : ulps;
 }
 
-/// The arcsine or arccosine. @pre |raw| <= 2^operand_bits <= 2^32
+/// The smaller acute angle of a right triangle in units of 2^-62, from its sides in units of 2^-58
+/// of the hypotenuse. If one side is less than 1.1 units off, the error is below 21 units.
+///
+/// With i/64 next to the sine, the angle is the table's a_i = asin(i/64) plus asin(z) with z = sine
+/// cos a_i - cosine i/64. So |z| is below 1/90, and asin(z) = z + z S with S = z^2/6 + 3 z^4/40 + 5
+/// z^6/112. In units of 2^-62:
+/// - a side moves z by less than 17.6.
+/// - the first product is less than 1 too low, and its table 0.2 off. The second one is less than 1
+///   too low. So z is less than 18.8 off, and asin(z) less than 18.81.
+/// - S is less than 7 units of 2^-64 off, which count 90 times less. Its product is less than 1 too
+///   low, the terms after z^7 are below 0.4, and the table's a_i is 1/2 off.
+constexpr std::int64_t arcsine(std::uint64_t sine, std::uint64_t cosine) noexcept {
+  const auto i = static_cast<std::uint32_t>((sine + (std::uint64_t{1} << 51)) >> 52);
+  FIXED_ASSERT(i < arcsines.size());
+  const auto z =
+      static_cast<std::int64_t>(high_product(sine << 5, arcsine_cosines[i]) - (cosine * i >> 2));
+  const auto magnitude = static_cast<std::uint64_t>(z < 0 ? -z : z);
+  const std::uint64_t y = magnitude << 8;  // 64 |z| in units of 2^-64
+  const std::uint64_t series = series_of(arcsine_coefficients.data(), arcsine_coefficients.size(),
+                                         high_product(y, y), false);
+  const auto more = static_cast<std::int64_t>(high_product(magnitude, series));
+  return static_cast<std::int64_t>(arcsines[i]) + z + (z < 0 ? -more : more);
+}
+
+/// The arcsine or arccosine, or `undecided`. @pre |raw| <= 2^operand_bits <= 2^32
 constexpr std::int64_t triangle_angle_ulps(std::int64_t raw, int operand_bits, int fraction_bits,
                                            triangle_side side) noexcept {
-  const auto known = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
-  std::uint64_t given = 0;
-  std::uint64_t other = 0;
-  if (known == 0 || known >> operand_bits != 0) {
-    (known == 0 ? other : given) = 1;
-  } else {
-    // Both sides in units of 2^-56 of the hypotenuse. The root is in units of 2^-31 of that of
-    // `rest`, which is at least 2^62, and is off by less than 2 units: rest / (2 root) is rounded
-    // down, and the next term is below a half. So the other side is off by less than 1.1 units,
-    // and moves the angle by at most as much.
-    constexpr int bits = 56;
-    std::uint64_t rest = 0 - known * known;
-    if (operand_bits < 32) rest += std::uint64_t{1} << (2 * operand_bits);
-    int shift = 31 + operand_bits - bits;
+  // In units of 2^-32
+  const auto known = static_cast<std::uint64_t>(raw < 0 ? -raw : raw) << (32 - operand_bits);
+  const std::uint64_t given = known << 26;
+  std::uint64_t other = known == 0 ? std::uint64_t{1} << 58 : 0;
+  // 1 is 2^64, which is 0 here.
+  if (std::uint64_t rest = 0 - known * known; rest != 0) {
+    // The root is in units of 2^-63, and of 2^-31 of that of a `rest` from 2^62 on. It is off by
+    // less than 2 units: rest / (2 root) is rounded down, and the next term is below a half. So the
+    // side is less than 1.1 units off.
+    int shift = 63 - 58;
     for (; rest >> 62 == 0; rest <<= 2) ++shift;
     const std::uint64_t root = take_root(rest);
     other = ((root << 31) + take_quotient(rest, 2 * root, 31)) >> shift;
-    given = known << (bits - operand_bits);
   }
-  constexpr std::int64_t error = std::int64_t{5} << 32;
   const bool is_sine = side == triangle_side::sine;
-  const std::int64_t ulps = angle_ulps(is_sine ? given : other, is_sine ? other : given,
-                                       !is_sine && raw < 0, error, fraction_bits);
+  const bool is_upper = other < given;
+  std::int64_t angle = is_upper ? arcsine(other, given) : arcsine(given, other);
+  // half_pi is in units of 2^-62, and so is pi in units of 2^-61.
+  constexpr auto pi_61 = static_cast<std::int64_t>(half_pi);
+  if (is_upper == is_sine) angle = pi_61 - angle;
+  angle >>= 1;
+  if (!is_sine && raw < 0) angle = pi_61 - angle;
+  // In units of 2^-61: less than 10.5 of arcsine(), and 2 of the shift and of pi.
+  const std::int64_t ulps = nearest_or_undecided_within(angle, 13, 61 - fraction_bits);
   return is_sine && raw < 0 && ulps != undecided ? -ulps : ulps;
 }
 

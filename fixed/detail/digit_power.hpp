@@ -46,6 +46,15 @@ constexpr std::int64_t reciprocal_root_ulps(std::uint64_t raw, int fraction_bits
   return nearest_root(raw, scaled_integer(1, exponent + real_bits - 108), false);
 }
 
+/// floor(sqrt(n))
+constexpr std::uint32_t whole_root(std::uint32_t n) noexcept {
+  std::uint32_t root = 0;
+  for (std::uint32_t bit = 1U << 15; bit > 0; bit >>= 1) {
+    if ((root + bit) * (root + bit) <= n) root += bit;
+  }
+  return root;
+}
+
 /// x^y as an odd number of half ulps, or 0 if it is not a tie or is out of range, for x = raw /
 /// 2^fraction_bits and y = exponent / 2^fraction_bits.
 ///
@@ -62,10 +71,7 @@ constexpr std::int64_t odd_half_ulps(std::uint64_t raw, std::int64_t exponent,
       exponent /= 2;
       continue;
     }
-    std::uint32_t root = 0;
-    for (std::uint32_t bit = 1U << 15; bit > 0; bit >>= 1) {
-      if ((root + bit) * (root + bit) <= m) root += bit;
-    }
+    const std::uint32_t root = whole_root(m);
     if (root * root != m || e % 2 != 0) return 0;
     m = root;
     e /= 2;

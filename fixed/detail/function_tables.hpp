@@ -286,6 +286,74 @@ FIXED_CONSTANT std::array<std::int32_t, 64> arctangent_rests{
 FIXED_CONSTANT std::array<std::uint64_t, 5> long_arctangent_coefficients{
     0x6666666666666666, 0x4924924924925, 0x38e38e38e4, 0x2e8ba2f, 0x2762};
 
+/// The arcsine of i/64 in units of 2^-62, to nearest, for i to 45.
+FIXED_CONSTANT std::array<std::uint64_t, 46> arcsines{0x0,
+                                                      0x10002aabdde94c1,
+                                                      0x2001557bc173904,
+                                                      0x30048123fb61526,
+                                                      0x400aaf7a54d8652,
+                                                      0x5014e409039bf52,
+                                                      0x602424a44f94b87,
+                                                      0x70397a03dc5cb5e,
+                                                      0x8055f06094f0f06,
+                                                      0x907a98184660fc2,
+                                                      0xa0a8865808a116f,
+                                                      0xb0e0d5ceaae97cd,
+                                                      0xc124a76873c7dd7,
+                                                      0xd1752315a4cc6d6,
+                                                      0xe1d3789d5742551,
+                                                      0xf240e07e7389a02,
+                                                      0x102be9ce0b87cd1e,
+                                                      0x1134dfa980514691,
+                                                      0x123f0523c5dc2b0a,
+                                                      0x134a709597aab0a4,
+                                                      0x1457393b90e2aa6c,
+                                                      0x1565774cb66f018f,
+                                                      0x1675441329986e74,
+                                                      0x1786ba074fef92a3,
+                                                      0x1899f4edc962d305,
+                                                      0x19af11f89ba61c6a,
+                                                      0x1ac62fec0b2a9273,
+                                                      0x1bdf6f47ae69047a,
+                                                      0x1cfaf27460fe9ecf,
+                                                      0x1e18ddf7da106aea,
+                                                      0x1f3958aecddef3e0,
+                                                      0x205c8c0eaf0b4274,
+                                                      0x2182a4705ae6cb09,
+                                                      0x22abd1654000a437,
+                                                      0x23d84618e2952ca1,
+                                                      0x250839c10c52e941,
+                                                      0x263be81f7a639a04,
+                                                      0x277392188652d9a2,
+                                                      0x28af7e631fca2d4f,
+                                                      0x29effa5785f66714,
+                                                      0x2b355ae39da01de5,
+                                                      0x2c7ffdada331ecdb,
+                                                      0x2dd04a7079881647,
+                                                      0x2f26b4a035f4ef2d,
+                                                      0x3083bd6a2297675b,
+                                                      0x31e7f629c92d68ba};
+
+/// The cosine of the arcsine of i/64 in units of 2^-63, to nearest.
+FIXED_CONSTANT std::array<std::uint64_t, 46> arcsine_cosines{
+    0x8000000000000000, 0x7ffbffefff7ffb00, 0x7feffeffdffaff20, 0x7fdbfaee92ffa876,
+    0x7fbfeff7fafc7d5e, 0x7f9bd8d15d91dbf8, 0x7f6faea45f0fd52c, 0x7f3b69087bf6d3ea,
+    0x7efefdfaf1d57a4d, 0x7eba61d50525fd9a, 0x7e6d87408dc941d4, 0x7e185f2aaf5bd8e7,
+    0x7dbad8b49dcc32c0, 0x7d54e122493a04ba, 0x7ce663c6c621b16b, 0x7c6f49ee400b10ab,
+    0x7bef7ac53d3b66c6, 0x7b66db3cf1198c1a, 0x7ad54dec50d3663e, 0x7a3ab2ed92243ed3,
+    0x7996e7b7ae8e3791, 0x78e9c6f3758f76e6, 0x7833284ba5e252cf, 0x7772e03770216b91,
+    0x76a8bfbeab875fd8, 0x75d49436e71e491e, 0x74f626f85d81c8aa, 0x740d3d09a608514a,
+    0x731996c0ca1886e4, 0x721aef5826897fbb, 0x7110fc75348abb88, 0x6ffb6d9ef84eca2f,
+    0x6ed9eba16132a9cf, 0x6dac17da59ae6b2f, 0x6c718b6c9593f9ed, 0x6b29d6535132f29d,
+    0x69d47e511edc9096, 0x6870fdb2807ca319, 0x66fec1db48dbab2c, 0x657d29937b369ff8,
+    0x63eb83056b4e2789, 0x6249095afd1514b1, 0x6094e1e2b8b82223, 0x5ece189e75efcc17,
+    0x5cf39c13edec8d14, 0x5b04382a7975954c};
+
+/// Coefficient n is that of z^(2n + 1) in asin(z), divided by 4096^n, in units of 2^-64, to
+/// nearest, for n from 1.
+FIXED_CONSTANT std::array<std::uint64_t, 3> arcsine_coefficients{0x2aaaaaaaaaaab, 0x1333333333,
+                                                                 0xb6db6e};
+
 /// Pi in units of 2^-184, to nearest.
 FIXED_CONSTANT real_words real_pi{0x44a4093822299f32, 0xd313198a2e037073, 0x3243f6a8885a308};
 

@@ -6,8 +6,8 @@
 /// constants of 184 bits, but no tables of results and no first try in 64 bits.
 ///
 /// Define FIXED_COMPACT for programs that must be small and fast enough. The functions then compute
-/// in 64 bits with the tables and bounds of those in words, by loops that all of them share. Where
-/// 64 bits do not decide, digits do.
+/// in 64 bits with tables and bounds like those in words, by loops that all of them share. Where 64
+/// bits do not decide, digits do, or whole powers for pow().
 ///
 /// The results have the same bits. The namespace differs, so translation units of one program may
 /// differ in these macros, and each calls its own functions.

@@ -120,6 +120,157 @@ TEST_F(CompactWords, ArctangentsHaveTheirError) {
   EXPECT_GT(most, 400);
 }
 
+/// What an arcsine is too high, in units of 2^-62, if the cosine is rounded down.
+/// @param sine in units of 2^-32
+std::int64_t arcsine_error(std::uint64_t sine) {
+  const words::real cosine = words::precise_side(0 - sine * sine, 32);
+  const auto rounded = static_cast<std::uint64_t>(cosine >> (words::real_bits - 58));
+  const words::real found{compact::arcsine(sine << 26, rounded)};
+  const words::real exact =
+      words::precise_arctangent(words::ratio(words::real{sine} << (words::real_bits - 32), cosine));
+  return static_cast<std::int64_t>(((found << (words::real_bits - 62)) - exact) >>
+                                   (words::real_bits - 62));
+}
+
+TEST_F(CompactWords, ArcsinesHaveTheirError) {
+  constexpr std::uint64_t root_of_half = 0xb504f333;
+  std::int64_t most = 0;
+  const auto check = [&](std::uint64_t sine) {
+    const std::int64_t error = arcsine_error(std::min(sine, root_of_half));
+    ASSERT_GE(error, -21) << sine;
+    ASSERT_LE(error, 21) << sine;
+    most = std::max(most, std::abs(error));
+  };
+  check(1);
+  for (int i = 0; i < 1000; ++i) {
+    check(bits() % root_of_half + 1);
+    // Next to an entry of the table, or in the middle of two
+    check((bits() % 90 + 1) * (std::uint64_t{1} << 25) + bits() % 3 - 1);
+  }
+  EXPECT_GT(most, 10);
+}
+
+TEST_F(CompactWords, LogarithmsHaveTheirError) {
+  std::int64_t most = 0;
+  const auto check = [&](std::uint32_t fraction) {
+    const words::real found{compact::binary_logarithm_of(fraction)};
+    const words::real exact = words::precise_logarithm((std::uint64_t{1} << 32) + fraction);
+    const auto error = static_cast<std::int64_t>(((found << (words::real_bits - 64)) - exact) >>
+                                                 (words::real_bits - 64));
+    ASSERT_LT(std::abs(error), 79) << fraction;
+    most = std::max(most, std::abs(error));
+  };
+  for (int i = 0; i < 1000; ++i) {
+    check(static_cast<std::uint32_t>(bits()));
+    // The greatest r of an interval
+    check(static_cast<std::uint32_t>((bits() % 32 + 1) * (std::uint64_t{1} << 27) - 1));
+  }
+  EXPECT_GT(most, 60);
+}
+
+/// A positive number and an exponent, often with a power in range or a rational one.
+struct Power {
+  std::uint32_t raw;
+  std::int64_t exponent;
+};
+
+Power power_of(CompactWords& random, int fraction_bits) {
+  const auto word = [&] { return static_cast<std::uint32_t>(random.bits() >> 32); };
+  Power power{std::max(word() >> random.below(32), 1U), word() >> random.below(32)};
+  const double log = std::log2(std::ldexp(power.raw, -fraction_bits));
+  const int kind = random.below(4);
+  if (kind < 2 && log != 0) {
+    // From half an ulp to 2^34
+    const double exponent =
+        std::ldexp((random.below(35) - fraction_bits - 0.5) / log, fraction_bits);
+    power.exponent = static_cast<std::int64_t>(std::clamp(exponent, -4294967295.0, 4294967295.0));
+  } else if (kind == 2) {
+    const std::uint32_t root = std::max(word() >> (16 + random.below(16)), 1U);
+    const std::int64_t eighth = (std::int64_t{1} << fraction_bits) / 8;
+    power = {root * root, std::min<std::int64_t>(random.below(40) * eighth, 0xffffffff)};
+    if (random.below(4) == 0) power.exponent *= -1;
+  }
+  return power;
+}
+
+template <rounding Ties>
+void expect_same_power(const Power& of, int fraction_bits) {
+  constexpr std::int64_t beyond = std::int64_t{1} << 33;
+  const auto known = words::nearest_real_power<Ties>(of.raw, of.exponent, fraction_bits);
+  const auto found = compact::nearest_real_power<Ties>(of.raw, of.exponent, fraction_bits);
+  ASSERT_EQ(std::min(found, beyond), std::min(known, beyond))
+      << of.raw << ' ' << of.exponent << ' ' << fraction_bits;
+}
+
+TEST_F(CompactWords, PowersAreThoseOfWords) {
+  for (int fraction_bits = 0; fraction_bits <= 32; ++fraction_bits) {
+    for (int i = 0; i < 1000; ++i) {
+      const Power power = power_of(*this, fraction_bits);
+      expect_same_power<rounding::half_up>(power, fraction_bits);
+      expect_same_power<rounding::half_even>(power, fraction_bits);
+      expect_same_power<rounding::floor>(power, fraction_bits);
+    }
+    // A power of 1 is 1, whatever the error of the exponent
+    expect_same_power<rounding::half_up>({1U << std::min(fraction_bits, 31), 0xffffffff},
+                                         fraction_bits);
+  }
+}
+
+// Whole powers decide whether a power is above any number of half ulps, not only next to a tie.
+TEST_F(CompactWords, WholePowersDecide) {
+  int above = 0;
+  int ties = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const int fraction_bits = below(33);
+    const Power of = power_of(*this, fraction_bits);
+    const std::int64_t down =
+        words::nearest_real_power<rounding::floor>(of.raw, of.exponent, fraction_bits);
+    const std::int64_t up =
+        words::nearest_real_power<rounding::half_up>(of.raw, of.exponent, fraction_bits);
+    // Both may be any integers beyond.
+    if (of.exponent == 0 || down >= std::int64_t{1} << 33) continue;
+    const bool is_negative = of.exponent < 0;
+    const auto n = static_cast<std::uint32_t>(std::abs(of.exponent));
+    ASSERT_EQ(compact::is_tie(of.raw, n, is_negative, fraction_bits), up != down)
+        << of.raw << ' ' << of.exponent << ' ' << fraction_bits;
+    if (up != down) {
+      ++ties;
+      continue;
+    }
+    // A result to nearest is above the tie below it, and not above that above.
+    if (down > 0) {
+      ASSERT_TRUE(compact::is_above(of.raw, n, is_negative, fraction_bits,
+                                    static_cast<std::uint64_t>(2 * down - 1)))
+          << of.raw << ' ' << of.exponent << ' ' << fraction_bits;
+      ++above;
+    }
+    ASSERT_FALSE(compact::is_above(of.raw, n, is_negative, fraction_bits,
+                                   static_cast<std::uint64_t>(2 * down + 1)))
+        << of.raw << ' ' << of.exponent << ' ' << fraction_bits;
+  }
+  EXPECT_GT(above, 5000);
+  EXPECT_GT(ties, 10);
+}
+
+// Numbers of 64 bits would be wrong about these powers in 16.16, whose results are from mpmath with
+// 80 digits. They are from 2^-20 to 2^-27 ulps from a tie.
+TEST_F(CompactWords, OfPowersNextToATie) {
+  for (const auto& [raw, exponent, result] :
+       {std::array<std::int64_t, 3>{65576, 1039772291, 1048928445},
+        {65593, 775217432, 1917067868},
+        {65516, -1675400762, 160409155},
+        {65586, 861921961, 1487884844},
+        {65504, -1296149118, 1026865512},
+        {65584, 924803763, 2011324358},
+        {65588, 843710922, 1782487730},
+        {65518, -2023925301, 316772022}}) {
+    ASSERT_EQ(compact::nearest_real_power<rounding::half_up>(static_cast<std::uint64_t>(raw),
+                                                             exponent, 16),
+              result)
+        << raw << ' ' << exponent;
+  }
+}
+
 // 360 degrees are less than a turn, and with a unit more of each they are more.
 TEST_F(CompactWords, ADegreeIsRoundedDown) {
   const auto turn = [](std::uint64_t unit) {
