@@ -29,7 +29,7 @@ using numerator_t = std::conditional_t<
     std::is_unsigned_v<Raw> && bits_of<Raw> == 32, std::uint64_t,
     std::conditional_t<(bits_of<Raw> <= 32), product_t<Raw>, signed_t<2 * signed_bits<Raw> + 1>>>;
 
-/// A sum of 32 or 64 bits that remembers whether it always fitted. @pre terms are below `start`
+/// A sum of 32 or 64 bits that remembers whether it always fitted. @pre |term| < start
 template <class Int>
 class watched_sum {
  public:
@@ -46,7 +46,7 @@ class watched_sum {
 
  private:
   using bits = std::make_unsigned_t<Int>;
-  // A sum that fits is positive with this. The first one that does not fit is negative.
+  // A sum that fits is not negative with this. The first one that does not fit is negative.
   static constexpr Int start = Int{1} << (bits_of<Int> - 2);
 
   // Keeps the upper bits of all sums, which takes an instruction where a branch takes two.

@@ -83,7 +83,7 @@ FIXED_CONSTANT std::array<std::uint64_t, 32> short_logarithms = [] {
 constexpr std::uint64_t binary_logarithm_of(std::uint32_t fraction) noexcept {
   const std::uint32_t interval = fraction >> 27;
   const std::uint32_t reciprocal = short_reciprocals[interval];
-  // The product of 2^32 + fraction and 2^31 + reciprocal, modulo 2^64
+  // The product of 2^32 + fraction and 2^31 + reciprocal, without 2^63, which the shift drops
   const std::uint64_t product = product_of(fraction, reciprocal) +
                                 (std::uint64_t{reciprocal} << 32) + (std::uint64_t{fraction} << 31);
   return short_logarithms[interval] +

@@ -185,10 +185,11 @@ FIXED_NOINLINE constexpr int zeros_above(std::uint32_t x) noexcept {
   return zeros;
 }
 
-/// x^y for x = raw / 2^fraction_bits and y = exponent / 2^fraction_bits. @pre raw > 0, |exponent| <
-/// 2^32
+/// x^y for x = raw / 2^fraction_bits and y = exponent / 2^fraction_bits, and 1 for y = 0. @pre raw
+/// > 0 or exponent = 0, |exponent| < 2^32
 constexpr std::int64_t real_power_ulps(std::uint32_t raw, std::int64_t exponent, int fraction_bits,
                                        rounding ties) noexcept {
+  if (exponent == 0) return std::int64_t{1} << fraction_bits;
   const bool is_negative = exponent < 0;
   const auto n = static_cast<std::uint32_t>(is_negative ? -exponent : exponent);
   const int zeros = zeros_above(raw);

@@ -2,7 +2,7 @@
 /// Products, series, divisions and roundings that the compact functions share.
 ///
 /// They take the steps of the functions in words with all terms of each series, each step rounded
-/// alike, so the bounds of these hold. But every step is a loop or a call. A Cortex-M0 has products
+/// alike. But every step is a loop or a call. A Cortex-M0 has products
 /// of 32 bits, and each product of 64 bits that is inlined takes a tenth of a kilobyte.
 #pragma once
 

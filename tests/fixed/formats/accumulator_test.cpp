@@ -125,6 +125,31 @@ TEST(FewTermsDeathTest, StopBeforeASumIsWrong) {
     static_cast<void>(sum.result());
   };
   EXPECT_DEATH(subtract_often(), "");
+  const auto come_back = [] {
+    accumulator<q4_4, 9> sum;
+    for (int i = 0; i < 65'536; ++i) sum.add_product(q4_4(-8), q4_4(-8));
+    return sum.subtract_product(q4_4(-8), q4_4(-8)).result();
+  };
+  EXPECT_DEATH(come_back(), "");
+}
+
+// Sums of 64 bits, which so few terms never fill, from -2^62 to 2^62 - 1.
+TEST(FewTermsDeathTest, WatchedSumsOf64BitsStop) {
+  constexpr std::int64_t half = std::int64_t{1} << 61;
+  fixproof::detail::watched_sum<std::int64_t> sum;
+  sum.add(half);
+  sum.add(half - 1);
+  EXPECT_EQ(sum.value(), 2 * half - 1);
+  auto above = sum;
+  above.add(1);
+  above.subtract(half);
+  EXPECT_DEATH(static_cast<void>(above.value()), "");
+  auto below = sum;
+  for (int i = 0; i < 3; ++i) below.subtract(half);
+  below.subtract(half - 1);
+  EXPECT_EQ(below.value(), -2 * half);
+  below.subtract(1);
+  EXPECT_DEATH(static_cast<void>(below.value()), "");
 }
 
 }  // namespace accumulator_test
