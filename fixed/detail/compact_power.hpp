@@ -194,9 +194,8 @@ constexpr std::int64_t real_power_ulps(std::uint32_t raw, std::int64_t exponent,
   const auto n = static_cast<std::uint32_t>(is_negative ? -exponent : exponent);
   const int zeros = zeros_above(raw);
   const std::uint64_t log = binary_logarithm_of(raw << zeros << 1);
-  // The logarithm has a whole part of 31 - fraction_bits - zeros. n times the logarithm is high
-  // 2^64
-  // + low, in units of 2^-(64 + fraction_bits).
+  // The logarithm has a whole part of 31 - fraction_bits - zeros. In units of 2^-(64 +
+  // fraction_bits), n times the logarithm is high 2^64 + low.
   std::uint64_t low = product_of(n, static_cast<std::uint32_t>(log));
   const std::uint64_t middle = product_of(n, static_cast<std::uint32_t>(log >> 32)) + (low >> 32);
   low = middle << 32 | static_cast<std::uint32_t>(low);
@@ -215,7 +214,8 @@ constexpr std::int64_t real_power_ulps(std::uint32_t raw, std::int64_t exponent,
   const auto power = static_cast<std::int64_t>(power_of(low) >> 2);
   // As detail::power_within() allows: a quarter of the error of the exponent, which is below 79 |y|
   // + 1. For |y| from 2^26 on, only powers of 1 come here, and every error decides them.
-  const auto error = static_cast<std::int32_t>(20 * (n >> fraction_bits) + 27);
+  const std::uint32_t whole = fraction_bits < 32 ? n >> fraction_bits : 0;
+  const auto error = static_cast<std::int32_t>(20 * whole + 27);
   const std::int64_t ulps = nearest_or_undecided_within(power, error, bits);
   if (ulps != undecided) return ulps;
   const std::int64_t below = power >> bits;
