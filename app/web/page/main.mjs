@@ -92,6 +92,7 @@ function say(problem) {
   text.setAttribute("role", "alert");
   text.textContent = problem;
   place.replaceChildren(text);
+  document.documentElement.dataset.drawn ??= "";  // shows the rest of the page
 }
 
 undoButton.addEventListener("click", undo);

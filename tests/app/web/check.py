@@ -4,8 +4,11 @@
 Opens the playground in headless Chromium and checks one property, CASE. Screenshots go to PICTURES.
 Status 0: it holds, 1: it does not, 77: there is no browser.
 """
+import http.server
 import json
+import re
 import sys
+import threading
 import time
 
 sys.dont_write_bytecode = True
@@ -65,6 +68,8 @@ def failures(driver):
     """A page whose module does not start, or stops, says so."""
     driver.get(injected("broken.html", 'id="module">', 'id="module">A'))
     wait(driver, "an alert", lambda: text(driver, "[role=alert]").startswith("The module did not start: "))
+    for there in ("nav", "nav a", "#undo", "footer"):
+        expect(driver.find_element(By.CSS_SELECTOR, there).is_displayed(), f"{there} is hidden")
     open_page(driver)
     driver.execute_script("dispatchEvent(new ErrorEvent('error', {message: 'unreachable'}))")
     expect_equal(text(driver, "[role=alert]"), "The module stopped: unreachable. Load the page again.", "what it says")
@@ -354,6 +359,52 @@ FAINT = """
     return faint;"""
 
 
+# Returns what moved, and by how much of the screen.
+SHIFTS = """
+    const done = arguments[0];
+    const moved = [];
+    new PerformanceObserver((list) => {
+      for (const e of list.getEntries())
+        moved.push(`${e.sources.map((s) => `${s.node?.nodeName}.${s.node?.className}`)} by ${e.value}`);
+    }).observe({ type: 'layout-shift', buffered: true });
+    setTimeout(() => done(moved), 600);"""
+
+
+def arrival(driver):
+    """Nothing moves while the page arrives. The server pauses after each tag."""
+    before, body, scripts = re.split(r"(?<=<body>)|(?=<script)", PAGE.read_text(), maxsplit=2)
+    pieces = [before, *re.findall(r"[^>]*>", body), scripts]
+
+    class Slow(http.server.BaseHTTPRequestHandler):
+        def do_GET(self):
+            if self.path != "/":
+                self.send_error(404)
+                return
+            self.send_response(200)
+            self.send_header("Content-Type", "text/html")
+            self.end_headers()
+            try:
+                for piece in pieces:
+                    self.wfile.write(piece.encode())
+                    time.sleep(0.05)
+            except ConnectionError:
+                pass  # the browser has gone
+
+        def log_message(self, *_):
+            pass
+
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Slow) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        try:
+            for width in (360, 800, 1600):
+                size(driver, width, 900, mobile=width == 360)
+                driver.get(f"http://127.0.0.1:{server.server_port}/")
+                wait(driver, "the first view", lambda: drawn(driver))
+                expect_equal(driver.execute_async_script(SHIFTS), [], f"what moves at {width}")
+        finally:
+            server.shutdown()
+
+
 def screens(driver):
     """No view is wider than its screen, nothing moves once it is drawn, and both themes have contrast."""
     for width, height in ((360, 740), (800, 900), (1600, 1000)):
@@ -362,14 +413,7 @@ def screens(driver):
             scheme = "dark" if width == 800 else "light"
             media(driver, scheme=scheme)
             open_page(driver, f"#view={view}&beside=i8088-on&step=differs&play=no&frame=300")
-            shift = driver.execute_async_script("""
-                const done = arguments[0];
-                const moved = [];
-                new PerformanceObserver((list) => {
-                  for (const e of list.getEntries())
-                    moved.push(...e.sources.map((s) => `${s.node?.nodeName}.${s.node?.className} by ${e.value}`));
-                }).observe({ type: 'layout-shift', buffered: true });
-                setTimeout(() => done(moved), 600);""")
+            shift = driver.execute_async_script(SHIFTS)
             expect(not shift, f"{view} at {width} moves {shift}")
             wide = driver.execute_script("return document.documentElement.scrollWidth")
             expect(wide <= width, f"{view} at {width} is {wide} wide")
@@ -383,8 +427,9 @@ def screens(driver):
 
 
 CASES = {"size": size_, "policy": policy, "failures": failures, "bits": bits, "operation": operation, "cases": cases,
-         "keyboard": keyboard, "links": links, "scenes": scenes, "screens": screens,
-         "inputs": inputs, "comfort": comfort, "formula": formula, "crossing": crossing, "met": lambda driver: met(driver, FAINT)}
+         "keyboard": keyboard, "links": links, "scenes": scenes, "arrival": arrival, "screens": screens,
+         "inputs": inputs, "comfort": comfort, "formula": formula, "crossing": crossing,
+         "met": lambda driver: met(driver, FAINT)}
 driver = browser()
 try:
     CASES[CASE](driver)
