@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,7 +42,11 @@ class MeasureProgress {
     line_.emplace(all, unit);
   }
   void show(std::uint64_t done) { line_->show(done_ = done); }
-  void add_part() { show(done_ + 1); }
+  /// Any thread may call this.
+  void add_part() {
+    const std::lock_guard lock(mutex_);
+    show(done_ + 1);
+  }
   void end() { line_.reset(); }
 
   [[nodiscard]] const std::atomic<bool>& stop() const { return stop_; }
@@ -51,6 +56,7 @@ class MeasureProgress {
 
  private:
   const std::atomic<bool>& stop_;
+  std::mutex mutex_;
   std::uint64_t done_ = 0;
   std::uint64_t all_ = 0;
   std::string_view unit_;

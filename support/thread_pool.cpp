@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 #include <system_error>
 
@@ -75,6 +76,28 @@ void ThreadPool::do_work(std::size_t worker) {
   } catch (...) {
     thrown_[worker] = std::current_exception();
   }
+}
+
+unsigned processors() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+std::unique_ptr<ThreadPool> workers_for(std::size_t most) {
+  try {
+    return std::make_unique<ThreadPool>(std::min<std::size_t>(most, processors()));
+  } catch (const std::runtime_error&) {
+    return std::make_unique<ThreadPool>(1);
+  }
+}
+
+void for_each_in_threads(std::size_t count, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  workers_for(count)->run([&](std::size_t /*worker*/) {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) work(i);
+    } catch (...) {
+      next = count;
+      throw;
+    }
+  });
 }
 
 }  // namespace fixproof::support

@@ -5,6 +5,7 @@
 #include <boost/noncopyable.hpp>
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 #if !defined(__wasi__)
 #include <barrier>
@@ -34,6 +35,16 @@ class ThreadPool : private boost::noncopyable {
     return {0, count};
   }
 };
+
+constexpr unsigned processors() { return 1; }
+
+inline std::unique_ptr<ThreadPool> workers_for(std::size_t most) {
+  return std::make_unique<ThreadPool>(most);
+}
+
+inline void for_each_in_threads(std::size_t count, const std::function<void(std::size_t)>& work) {
+  for (std::size_t i = 0; i < count; ++i) work(i);
+}
 
 #else
 
@@ -69,6 +80,17 @@ class ThreadPool : private boost::noncopyable {
   std::barrier<> end_;
   std::vector<std::thread> threads_;
 };
+
+/// The number of processors, at least 1.
+unsigned processors();
+
+/// One worker for each processor, but at most `most`; the caller alone if no thread can be started.
+std::unique_ptr<ThreadPool> workers_for(std::size_t most);
+
+/// Calls work(i) once for each i below `count`, in no order, on all processors. Returns when all
+/// calls have returned. No worker takes another i after a call has thrown.
+/// @throws one of the exceptions
+void for_each_in_threads(std::size_t count, const std::function<void(std::size_t)>& work);
 
 #endif
 

@@ -5,7 +5,6 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "support/thread_pool.hpp"
@@ -57,7 +56,7 @@ class ChunkRun : private boost::noncopyable {
   /// @param observe called on this thread with the current state, every `observe_every`
   void run(const std::function<void(Report)>& observe) {
     unsigned threads = options_.threads;
-    if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
+    if (threads == 0) threads = support::processors();
     running_ = std::min<std::size_t>(threads, left_.size());
     // Worker 0, the caller, does not run chunks.
     support::ThreadPool pool(running_ + 1);

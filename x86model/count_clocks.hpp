@@ -5,9 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "x86model/bus.hpp"
 #include "x86model/call.hpp"
@@ -59,10 +61,13 @@ Execution execution_at(std::span<const Instruction> code, std::size_t position, 
 /// Adds up the clocks of the instructions that run() executes and, on an 8088, the bytes on its
 /// bus. An instruction that faults adds none. Only for machines with 16-bit words: no other exists
 /// to be timed.
+///
+/// Copies share what they have looked up, so a copy must not count in another thread.
 class ClockCounter {
  public:
   /// @param code the code that runs; must outlive the counter
-  ClockCounter(std::span<const Instruction> code, Cpu cpu) : code_(code), cpu_(cpu) {}
+  ClockCounter(std::span<const Instruction> code, Cpu cpu)
+      : code_(code), cpu_(cpu), known_(std::make_shared<std::vector<Known>>(code.size())) {}
 
   /// @throws std::invalid_argument if the processor does not have the instruction
   template <class M>
@@ -70,19 +75,32 @@ class ClockCounter {
     static_assert(M::word_bits == 16);
     Execution execution = detail::execution_at(code_, position, m);
     execution.previous = previous_;
+    previous_ = &code_[position];
+    const Mnemonic op = previous_->mnemonic;
+    Known& known = (*known_)[position];
+    const bool by_operands = detail::is_multiply(op) || detail::is_divide(op);
+    if (!by_operands && known.is_of(execution)) {
+      pending_ = known.clocks;
+      return;
+    }
     const auto range = clocks(cpu_, execution);
     if (!range) {
       throw std::invalid_argument("no clocks on a " + std::string(name_of(cpu_)) +
                                   " for the instruction at " + std::to_string(position));
     }
     pending_ = *range;
-    previous_ = &code_[position];
+    known = {.is_there = true,
+             .previous = execution.previous,
+             .next = execution.next,
+             .taken = execution.taken,
+             .clocks = *range,
+             .bus = cpu_ == Cpu::i8088 ? bus_bytes(*previous_) : BusBytes{}};
   }
 
   template <class M>
   void operator()(std::size_t position, const M& /*after*/) {
     total_ += pending_;
-    if (cpu_ == Cpu::i8088) bus_ += bus_bytes(code_[position]);
+    bus_ += (*known_)[position].bus;
   }
 
   [[nodiscard]] Range total() const { return total_; }
@@ -90,8 +108,24 @@ class ClockCounter {
   [[nodiscard]] const BusBytes& bus() const { return bus_; }
 
  private:
+  /// The clocks and bytes of the last execution of an instruction, and what they depend on apart
+  /// from factors and divisors.
+  struct Known {
+    bool is_there = false;
+    const Instruction* previous = nullptr;
+    const Instruction* next = nullptr;
+    bool taken = false;
+    Range clocks;
+    BusBytes bus;
+
+    [[nodiscard]] bool is_of(const Execution& e) const {
+      return is_there && previous == e.previous && next == e.next && taken == e.taken;
+    }
+  };
+
   std::span<const Instruction> code_;
   Cpu cpu_;
+  std::shared_ptr<std::vector<Known>> known_;  ///< one for each instruction
   const Instruction* previous_ = nullptr;
   Range pending_;
   Range total_;

@@ -210,19 +210,17 @@ inline constexpr auto encoding_rows = [] {
 
 /// The rows of a mnemonic, which stand together.
 constexpr std::span<const EncodingRow> encodings_of(Mnemonic mnemonic) {
-  constexpr auto starts = [] {
-    std::array<std::size_t, mnemonic_count> first{};
+  // Where the rows of each mnemonic begin, and how many there are.
+  constexpr auto places = [] {
+    std::array<std::array<std::size_t, 2>, mnemonic_count> all{};
     for (std::size_t i = encoding_rows.size(); i-- > 0;) {
-      first[static_cast<std::size_t>(encoding_rows[i].mnemonic)] = i;
+      auto& [first, count] = all[static_cast<std::size_t>(encoding_rows[i].mnemonic)];
+      count = first == i + 1 ? count + 1 : 1;
+      first = i;
     }
-    return first;
+    return all;
   }();
-  const std::size_t first = starts.at(static_cast<std::size_t>(mnemonic));
-  std::size_t count = 0;
-  while (first + count < encoding_rows.size() &&
-         encoding_rows[first + count].mnemonic == mnemonic) {
-    ++count;
-  }
+  const auto& [first, count] = places.at(static_cast<std::size_t>(mnemonic));
   return std::span(encoding_rows).subspan(first, count);
 }
 static_assert(

@@ -7,7 +7,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/commands.hpp"
@@ -31,7 +30,7 @@ struct MutateOptions {
   Selection selection;
   SolverOptions solver{.seconds = 60};
   std::uint64_t seed = 1994;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = support::processors();
   bool verbose = false;
   ResultFile result;
 };

@@ -13,7 +13,6 @@
 #include <optional>
 #include <stdexcept>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include "app/cli/arguments.hpp"
@@ -48,7 +47,7 @@ struct ProveOptions {
   SolverOptions solver{.seconds = 60};
   std::string directory;
   std::size_t mutant = 0;  ///< from 1; 0 if none
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = support::processors();
   ResultFile result;
 };
 

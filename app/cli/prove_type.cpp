@@ -11,7 +11,6 @@
 #include <memory>
 #include <mutex>
 #include <stdexcept>
-#include <thread>
 
 #include "app/cli/arguments.hpp"
 #include "app/cli/json/proof_json.hpp"
@@ -120,9 +119,7 @@ class Run {
     support::FrameProgress progress(tasks_.size(), "functions");
     std::atomic<std::size_t> next = 0;
     std::string failure;
-    support::ThreadPool pool(options_.threads > 0
-                                 ? options_.threads
-                                 : std::max(1U, std::thread::hardware_concurrency()));
+    support::ThreadPool pool(options_.threads > 0 ? options_.threads : support::processors());
     pool.run([&](std::size_t /*worker*/) {
       for (std::size_t i = next++; i < tasks_.size(); i = next++) {
         try {

@@ -2,12 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <atomic>
 #include <iostream>
 #include <mutex>
 #include <stdexcept>
-#include <thread>
 
 #include "app/cli/json/singlestep_json.hpp"
 #include "app/cli/print_error.hpp"
@@ -121,14 +118,8 @@ class Results {
 int judge_files(const std::vector<std::string>& files, x86model::Cpu cpu, ResultFile& result) {
   result.open(files, "--singlestep");
   Results results(files.size());
-  std::atomic<std::size_t> next = 0;
-  support::ThreadPool pool(
-      std::min<std::size_t>(files.size(), std::max(1U, std::thread::hardware_concurrency())));
-  pool.run([&](std::size_t /*worker*/) {
-    for (std::size_t i = next++; i < files.size(); i = next++) {
-      results.add(i, judge_file(files[i], cpu));
-    }
-  });
+  support::for_each_in_threads(files.size(),
+                               [&](std::size_t i) { results.add(i, judge_file(files[i], cpu)); });
   const int status = results.finish();
   return result.write(status, [&] { return results.json(); });
 }

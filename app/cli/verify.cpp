@@ -6,7 +6,6 @@
 #include <new>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "app/cli/arguments.hpp"
@@ -22,6 +21,7 @@
 #include "support/interrupt.hpp"
 #include "support/output_file.hpp"
 #include "support/plain_text.hpp"
+#include "support/thread_pool.hpp"
 #include "support/usage_error.hpp"
 #include "verify/cases/plan.hpp"
 #include "verify/cases/words.hpp"
@@ -48,7 +48,7 @@ constexpr int calls_of_case = 3;
 struct VerifyOptions {
   Selection selection;
   std::uint64_t seed = 1994;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = support::processors();
   std::string shard = "1/1";
   std::string resume;
   bool accept_other_builds = false;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "judge/check/verdict_text.hpp"
 #include "judge/program/walk.hpp"
 #include "support/interrupt.hpp"
+#include "support/thread_pool.hpp"
 #include "support/usage_error.hpp"
 
 namespace fixproof::program {
@@ -96,7 +96,7 @@ class Judging {
     const auto start = Clock::now();
     static_cast<void>(fault_of({variant(), options_.cases, stride_}, 0, 0));
     if (!takes_long(verdict_.seconds - seconds_since(start))) return 1;
-    return std::max(1U, std::thread::hardware_concurrency());
+    return support::processors();
   }
 
   /// The results of the first run.

@@ -1,7 +1,12 @@
 #include "measure/accuracy/accuracy.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "measure/accuracy/scene_operands.hpp"
 #include "measure/host/provenance.hpp"
+#include "support/thread_pool.hpp"
 
 namespace fixproof::measure {
 
@@ -12,6 +17,8 @@ using support::Json;
 constexpr std::uint64_t default_accuracy_cases = 500'000;
 /// The other measurements use this many times as many operands as each octave has points.
 constexpr std::uint64_t points_share = 10;
+/// The operands of more would take gigabytes if several operations were measured at a time.
+constexpr std::uint64_t most_cases_in_threads = 4'000'000;
 
 }  // namespace
 
@@ -36,13 +43,17 @@ std::optional<AccuracyResult> measure_accuracy(const MeasureRequest& request,
   result.seed = request.seed;
   result.points = cases / points_share + 1;
   progress.begin(request.scenes.size() + operations.size() + 1, "parts");
-  std::vector<player::OperandLog> logs;
-  for (const xsharp::Scene& scene : request.scenes) {
-    result.scenes.push_back(scene.name);
-    logs.push_back(record_scene(scene, cases::Build{}, stop).log);
-    progress.add_part();
-  }
-  for (const MeasuredOperation& operation : operations) {
+  std::vector<player::OperandLog> logs(request.scenes.size());
+  for (const xsharp::Scene& scene : request.scenes) result.scenes.push_back(scene.name);
+  support::for_each_in_threads(logs.size(), [&](std::size_t i) {
+    if (stop) return;
+    logs[i] = record_scene(request.scenes[i], cases::Build{}, stop).log;
+    if (!stop) progress.add_part();
+  });
+  std::vector<std::vector<AccuracyRow>> rows(operations.size());
+  const auto measure = [&](std::size_t k) {
+    if (stop) return;
+    const MeasuredOperation& operation = operations[k];
     std::vector<OperandSet> sets = random_operands(operation, request.seed, cases);
     for (std::size_t i = 0; i < logs.size(); ++i) {
       sets.push_back(scene_operands(operation, result.scenes[i], logs[i], cases));
@@ -50,11 +61,19 @@ std::optional<AccuracyResult> measure_accuracy(const MeasureRequest& request,
     for (const OperandSet& set : sets) {
       if (set.words.empty()) continue;
       for (AccuracyRow& row : measure_errors(operation, set, stop)) {
-        result.rows.push_back(std::move(row));
+        rows[k].push_back(std::move(row));
       }
     }
-    if (stop) return std::nullopt;
-    progress.add_part();
+    if (!stop) progress.add_part();
+  };
+  if (cases <= most_cases_in_threads) {
+    support::for_each_in_threads(operations.size(), measure);
+  } else {
+    for (std::size_t k = 0; k < operations.size(); ++k) measure(k);
+  }
+  if (stop) return std::nullopt;
+  for (std::vector<AccuracyRow>& of_operation : rows) {
+    std::move(of_operation.begin(), of_operation.end(), std::back_inserter(result.rows));
   }
   result.pixels = measure_pixel_errors(result.page, request.seed, result.points, stop);
   if (stop) return std::nullopt;

@@ -5,6 +5,7 @@
 #include "measure/clocks/claim_clocks.hpp"
 #include "measure/clocks/frame_clocks.hpp"
 #include "measure/host/provenance.hpp"
+#include "support/thread_pool.hpp"
 #include "verify/machine_code/programs.hpp"
 #include "x86model/text.hpp"
 
@@ -110,17 +111,23 @@ std::optional<ClockResult> measure_clocks(const MeasureRequest& request,
   progress.begin(request.scenes.size() * builds.size() + variants.size(), "parts");
   std::vector<RecordedScene> scenes;
   for (const xsharp::Scene& scene : request.scenes) {
-    scenes.push_back({scene.name, {}});
+    scenes.push_back({scene.name, std::vector<SceneOperands>(builds.size())});
     result.scenes.push_back(scene.name);
-    for (const auto& choice : builds) {
-      scenes.back().builds.push_back(record_scene(scene, choice, stop));
-      if (stop) return std::nullopt;
-      progress.add_part();
-    }
   }
+  support::for_each_in_threads(scenes.size() * builds.size(), [&](std::size_t i) {
+    const std::size_t scene = i / builds.size();
+    const std::size_t build = i % builds.size();
+    if (stop) return;
+    scenes[scene].builds[build] = record_scene(request.scenes[scene], builds.at(build), stop);
+    if (!stop) progress.add_part();
+  });
   const std::uint64_t cases = request.cases.value_or(default_cases);
-  for (const cases::Variant& variant : variants) {
-    CallClocks row = no_calls(variant);
+  result.rows.resize(variants.size());
+  support::for_each_in_threads(variants.size(), [&](std::size_t i) {
+    if (stop) return;
+    const cases::Variant& variant = variants[i];
+    CallClocks& row = result.rows[i];
+    row = no_calls(variant);
     const bool transforms = cases::words_in(variant.operation) > 2;
     add_cases(row, request.seed, transforms ? cases / transforms_share + 1 : cases, scenes.empty(),
               stop);
@@ -128,10 +135,9 @@ std::optional<ClockResult> measure_clocks(const MeasureRequest& request,
       add_calls(row, log_of(scene, variant).at(static_cast<std::size_t>(variant.operation)), true,
                 stop);
     }
-    if (stop) return std::nullopt;
-    result.rows.push_back(std::move(row));
-    progress.add_part();
-  }
+    if (!stop) progress.add_part();
+  });
+  if (stop) return std::nullopt;
   if (!scenes.empty()) result.claims = judge_claims(scenes);
   result.frames = frames_on_8088(scenes);
   result.loops = loop_clocks();

@@ -1,5 +1,9 @@
 #include "measure/stepping/stepping_run.hpp"
 
+#include <mutex>
+
+#include "support/thread_pool.hpp"
+
 namespace fixproof::measure {
 
 namespace {
@@ -47,25 +51,29 @@ std::vector<SteppingRow> measure_stepping_rows(const std::vector<SteppingVariant
                                                const std::atomic<bool>& stop,
                                                const std::function<void(std::uint64_t)>& done) {
   std::vector<SteppingRow> rows;
-  SteppedSpan span;
-  for (const SteppingVariant& variant : variants) {
-    rows.push_back({variant, {}});
+  for (const SteppingVariant& variant : variants) rows.push_back({variant, {}});
+  std::mutex mutex;
+  std::uint64_t finished = 0;
+  support::for_each_in_threads(rows.size(), [&](std::size_t k) {
+    const SteppingVariant& variant = variants[k];
+    SteppingStatistics& statistics = rows[k].statistics;
+    SteppedSpan span;
     for (std::size_t pixels = 1; pixels <= xsharp::longest_span; ++pixels) {
       for (std::uint64_t i = 0; i < cases; ++i) {
-        if (stop) return {};
+        if (stop) return;
         const SpanPlace place = span_place(seed, pixels, i);
         span.clear();
         const Ends ends = span_ends(i);
         variant.step(place, ends, cases::Draw(cases::mix(seed) + ends_key, case_number(pixels, i)),
                      span);
-        rows.back().statistics.add_errors(place, span);
-        if (ends == Ends::random) {
-          rows.back().statistics.add_picture(span, variant.drawn == Drawn::texel);
-        }
+        statistics.add_errors(place, span);
+        if (ends == Ends::random) statistics.add_picture(span, variant.drawn == Drawn::texel);
       }
     }
-    done(rows.size());
-  }
+    const std::lock_guard lock(mutex);
+    done(++finished);
+  });
+  if (stop) rows.clear();
   return rows;
 }
 

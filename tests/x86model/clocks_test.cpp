@@ -440,6 +440,68 @@ TEST(Clocks, EachProcessorNeedsFewerThanTheOneBefore) {
   });
 }
 
+/// Adds up the clocks without a memory of what it has looked up.
+struct EachTime {
+  std::span<const Instruction> code;
+  Cpu cpu;
+  const Instruction* previous = nullptr;
+  Range pending{};
+  Range total{};
+
+  template <class M>
+  void before(std::size_t at, const M& m) {
+    Execution execution = detail::execution_at(code, at, m);
+    execution.previous = previous;
+    previous = &code[at];
+    pending = clocks(cpu, execution).value();
+  }
+  template <class M>
+  void operator()(std::size_t /*at*/, const M& /*m*/) {
+    total += pending;
+  }
+};
+
+/// Counts calls with copies of one counter, and expects the clocks of each call.
+template <Routine routine>
+void expect_clocks_of_each_call(const Program& program, const std::vector<std::uint32_t>& words,
+                                Cpu cpu) {
+  const auto in = static_cast<std::size_t>(arity(routine).in);
+  const auto out_words = static_cast<std::size_t>(arity(routine).out);
+  const ClockCounter fresh(program.instructions(), cpu);
+  for (std::size_t i = 0; i + in <= words.size(); i += in) {
+    const auto operands = std::span(words).subspan(i, in);
+    std::array<std::uint32_t, 12> out{};
+    ClockCounter used = fresh;
+    call<routine, 16>(program.instructions(), operands, std::span(out).first(out_words), used);
+    EachTime expected{program.instructions(), cpu};
+    call<routine, 16>(program.instructions(), operands, std::span(out).first(out_words), expected);
+    ASSERT_EQ(used.total(), expected.total) << name_of(routine) << name_of(cpu) << i / in;
+    ASSERT_EQ(used.bus(), count_clocks<routine>(program.instructions(), operands, cpu).bus);
+  }
+}
+
+TEST(Clocks, AreThoseOfEachCallWhateverWasCountedBefore) {
+  test::each_routine([]<Routine routine, Target target>() {
+    for (const Cpu cpu : cpus) {
+      if (target == Target::i386 && cpu < Cpu::i386) continue;
+      expect_clocks_of_each_call<routine>(assemble(listing(routine, target), {}),
+                                          test::cases(routine), cpu);
+    }
+  });
+}
+
+// A 486 waits for BP unless the jump is taken. The length behind each call counts on a 286 and 386.
+TEST(Clocks, DependOnTheInstructionsBeforeAndBehind) {
+  const Program program =
+      assemble({push(bp), mov(bp, sp), mov(ax, word[bp + 4]), and_(ax, ax), jz("same"), mov(bp, sp),
+                label("same"), mov(dx, word[bp + 6]), call("sub"), mov(dx, word[bp + 6]),
+                call("sub"), dec(ax), pop(bp), ret(), label("sub"), inc(ax), ret()},
+               {});
+  for (const Cpu cpu : cpus) {
+    expect_clocks_of_each_call<Routine::mul>(program, {1, 1, 0, 1, 2, 1, 0, 0}, cpu);
+  }
+}
+
 TEST(Clocks, AFaultAddsNone) {
   const Program program = assemble(listing(Routine::div, Target::i386), {});
   const std::array<std::uint32_t, 2> in{0x00010000, 0};

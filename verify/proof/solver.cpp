@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -26,8 +27,21 @@ std::vector<std::string> names_in(const std::string& name) {
 /// Either decides each of these questions in a fraction of a second.
 constexpr int seconds_for_known = 60;
 
+/// Asks them in one run, which takes a tenth of the time.
+bool gives_known_answers_together(const SolverProgram& solver) {
+  const std::span<const KnownAnswer> known = known_answers();
+  std::vector<std::string> scripts;
+  for (const KnownAnswer& one : known) scripts.push_back(one.script);
+  const std::vector<SolverAnswer> answers = solver.ask_in_one_run(scripts, seconds_for_known);
+  return std::equal(answers.begin(), answers.end(), known.begin(), known.end(),
+                    [](const SolverAnswer& answer, const KnownAnswer& one) {
+                      return answer.verdict == one.verdict;
+                    });
+}
+
 /// A solver that lies, such as one that always says unsat, would prove anything.
 void expect_known_answers(const SolverProgram& solver) {
+  if (gives_known_answers_together(solver)) return;
   for (const KnownAnswer& known : known_answers()) {
     std::string reply;
     try {

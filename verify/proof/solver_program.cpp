@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -96,24 +97,44 @@ SolverAnswer SolverProgram::ask(const std::string& script, int max_seconds,
   return answer;
 }
 
-SolverAnswer SolverProgram::ask_together(std::span<const std::string> scripts,
-                                         int max_seconds) const {
+std::vector<SolverAnswer> SolverProgram::ask_in_one_run(std::span<const std::string> scripts,
+                                                        int max_seconds) const {
+  constexpr std::string_view end_of_answer = "end of an answer";  // cvc5 prints it in quotes
   std::string all;
-  std::string expected;
   for (const std::string& script : scripts) {
-    all += script + "(reset)\n";
-    expected += "unsat\n";
+    all += fmt::format("{}(echo \"{}\")\n(reset)\n", script, end_of_answer);
   }
-  const auto begin = std::chrono::steady_clock::now();
-  SolverAnswer answer;
   try {
     const Output output = output_for(name_, max_seconds, all, never_cancelled);
-    if (output.in_time && output.status == 0 && output.out == expected) {
-      answer.verdict = Satisfiability::unsatisfiable;
+    if (!output.in_time || output.status != 0) return {};
+    std::vector<SolverAnswer> answers;
+    std::string_view rest = output.out;
+    for (const std::string& script : scripts) {
+      const std::size_t end = rest.find(end_of_answer);
+      if (end == std::string_view::npos) return {};
+      const std::size_t line = rest.rfind('\n', end) + 1;  // 0 if there is no answer
+      Output one;
+      one.out = rest.substr(0, line);
+      answers.push_back(answer_in(one, name_, script));
+      const std::size_t next = rest.find('\n', end);
+      rest = next == std::string_view::npos ? std::string_view() : rest.substr(next + 1);
     }
+    return answers;
   } catch (const SolverError&) {
-    // No answer.
+    return {};
   }
+}
+
+SolverAnswer SolverProgram::ask_together(std::span<const std::string> scripts,
+                                         int max_seconds) const {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<SolverAnswer> answers = ask_in_one_run(scripts, max_seconds);
+  const bool are_all_unsatisfiable =
+      !answers.empty() && std::all_of(answers.begin(), answers.end(), [](const SolverAnswer& one) {
+        return one.verdict == Satisfiability::unsatisfiable;
+      });
+  SolverAnswer answer;
+  if (are_all_unsatisfiable) answer.verdict = Satisfiability::unsatisfiable;
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return answer;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "verify/proof/process.hpp"
 
@@ -54,8 +55,14 @@ class SolverProgram {
 
   /// Asks several such questions in one run, which spares the start of the solver, with one time
   /// limit for all.
-  /// @return unsatisfiable if the solver says so of each question, and unknown otherwise: ask()
+  /// @return the answers; none if an answer is missing or is what ask() throws for, since ask()
   /// tells why. @throws support::Stopped
+  [[nodiscard]] std::vector<SolverAnswer> ask_in_one_run(std::span<const std::string> scripts,
+                                                         int max_seconds) const;
+
+  /// Asks them in one run, too.
+  /// @return unsatisfiable if the solver says so of each question, and unknown otherwise.
+  /// @throws support::Stopped
   [[nodiscard]] SolverAnswer ask_together(std::span<const std::string> scripts,
                                           int max_seconds) const;
 

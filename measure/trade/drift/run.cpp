@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/noncopyable.hpp>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include "measure/host/provenance.hpp"
 #include "measure/trade/drift/sources.hpp"
+#include "support/thread_pool.hpp"
 #include "verify/parties/with_number.hpp"
 #include "xsharp/motion.hpp"
 #include "xsharp/view.hpp"
@@ -19,6 +21,9 @@ namespace {
 
 using xsharp::ObjectDescription;
 using xsharp::RotationStyle;
+
+/// The workers wait for each other after so many frames, and an interrupt takes effect.
+constexpr std::uint64_t frames_at_a_time = 256;
 
 class Motions : private boost::noncopyable {
  public:
@@ -137,7 +142,7 @@ std::string name_of(const DriftCase& c) {
 
 std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector<DriftCase>& cases,
                                    std::uint64_t& frames, const std::atomic<bool>& stop,
-                                   const std::function<void(std::uint64_t)>& frame_done) {
+                                   const std::function<void(std::uint64_t)>& frames_done) {
   std::vector<std::unique_ptr<Motions>> runs;
   std::vector<DriftResult> results;
   for (const DriftCase& c : cases) {
@@ -145,30 +150,41 @@ std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector
     results.emplace_back().of = c;
   }
   const RotationStyle exact{scene.trigonometry, scene.conversion, true, 0};
-  MotionsOf<double> reference(scene, exact);
+  // Each worker has some of the cases, and the exact motions that they are compared with.
+  const auto pool = support::workers_for(runs.size());
+  std::vector<std::unique_ptr<MotionsOf<double>>> references;
+  while (references.size() < pool->workers()) {
+    references.push_back(std::make_unique<MotionsOf<double>>(scene, exact));
+  }
 
   const auto turn = xsharp::turn_to_view(scene.camera);
   const std::uint64_t point_frames = frames_a_point(frames);
-  for (std::uint64_t frame = 0; frame < frames; ++frame) {
-    if (stop) {
-      frames = frame;
-      break;
-    }
-    if (frame > 0) {
-      reference.advance();
-      for (const auto& run : runs) run->advance();
-    }
-    for (std::size_t object = 0; object < scene.objects.size(); ++object) {
-      const Placement should_be = seen(reference.placement(object), scene.camera, turn);
-      for (std::size_t i = 0; i < runs.size(); ++i) {
-        note(results[i],
-             distortion(seen(runs[i]->placement(object), scene.camera, turn), should_be,
-                        scene.objects[object].mesh, scene),
-             frame, frame / point_frames);
+  std::uint64_t done = 0;
+  while (done < frames && !stop) {
+    const std::uint64_t end = std::min(frames, done + frames_at_a_time);
+    pool->run([&](std::size_t worker) {
+      MotionsOf<double>& reference = *references[worker];
+      const auto part = pool->part(runs.size(), worker);
+      for (std::uint64_t frame = done; frame < end; ++frame) {
+        if (frame > 0) {
+          reference.advance();
+          for (std::size_t i = part.first; i < part.end; ++i) runs[i]->advance();
+        }
+        for (std::size_t object = 0; object < scene.objects.size(); ++object) {
+          const Placement should_be = seen(reference.placement(object), scene.camera, turn);
+          for (std::size_t i = part.first; i < part.end; ++i) {
+            note(results[i],
+                 distortion(seen(runs[i]->placement(object), scene.camera, turn), should_be,
+                            scene.objects[object].mesh, scene),
+                 frame, frame / point_frames);
+          }
+        }
       }
-    }
-    frame_done(frame + 1);
+    });
+    done = end;
+    frames_done(done);
   }
+  frames = done;
   return results;
 }
 

@@ -75,12 +75,12 @@ struct DriftFigures {
 
 void to_json(support::Json& json, const DriftFigures& figures);
 
-/// Runs all cases side by side over the same frames.
+/// Runs all cases side by side over the same frames, on all processors.
 /// @param frames the number of frames; if `stop` ends the run early, the number that were done
-/// @param frame_done called after each frame with the number of frames done
+/// @param frames_done called with the number of frames done, now and then
 /// @return one result for each case
 std::vector<DriftResult> run_drift(const xsharp::Scene& scene, const std::vector<DriftCase>& cases,
                                    std::uint64_t& frames, const std::atomic<bool>& stop,
-                                   const std::function<void(std::uint64_t)>& frame_done);
+                                   const std::function<void(std::uint64_t)>& frames_done);
 
 }  // namespace fixproof::trade

@@ -125,6 +125,34 @@ TEST(Drift, ItsSeriesFollowsTheGrowth) {
   EXPECT_GT(drift({}, 150).series.at(149).pixels, 0);
 }
 
+// In more rounds than one, and divided among the processors.
+TEST(Drift, OfSeveralCasesIsThatOfEach) {
+  std::vector<trade::DriftCase> cases;
+  for (const cases::Build& build : cases::uniform_builds) cases.push_back({build});
+  cases.push_back({.without = trade::Without::products});
+  const std::atomic<bool> stop = false;
+  std::uint64_t frames = 600;
+  const auto together = trade::run_drift(twelve_cubes(), cases, frames, stop, [](std::uint64_t) {});
+  ASSERT_EQ(together.size(), cases.size());
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const trade::DriftResult alone = drift(cases[i], 600);
+    EXPECT_EQ(together[i].worst.pixels, alone.worst.pixels) << i;
+    EXPECT_EQ(together[i].pixel, alone.pixel) << i;
+    ASSERT_EQ(together[i].series.size(), alone.series.size());
+    for (std::size_t k = 0; k < alone.series.size(); ++k) {
+      EXPECT_EQ(together[i].series[k].length, alone.series[k].length) << i << ' ' << k;
+    }
+  }
+}
+
+TEST(Drift, StopsInTheMiddle) {
+  std::atomic<bool> stop = false;
+  std::uint64_t frames = 1000;
+  trade::run_drift(twelve_cubes(), {{}, {}}, frames, stop, [&](std::uint64_t) { stop = true; });
+  EXPECT_GT(frames, 0U);
+  EXPECT_LT(frames, 1000U);
+}
+
 TEST(Drift, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
   std::uint64_t frames = 1000;

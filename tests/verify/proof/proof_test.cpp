@@ -65,6 +65,19 @@ TEST(Proof, QuestionsAskedTogetherAreUnsatisfiableOnlyIfEachIs) {
   }
 }
 
+TEST(Proof, QuestionsInOneRunHaveTheirOwnAnswers) {
+  const std::string& never = proof::lemmas().front().smt;
+  const std::string sometimes = assumptions(never);
+  const proof::SolverProgram solver("z3");
+  const auto answers = solver.ask_in_one_run(std::vector{never, sometimes, never}, 60);
+  ASSERT_EQ(answers.size(), 3U);
+  EXPECT_EQ(answers[0].verdict, proof::Satisfiability::unsatisfiable);
+  EXPECT_EQ(answers[1].verdict, proof::Satisfiability::satisfiable);
+  EXPECT_FALSE(answers[1].model.empty());
+  EXPECT_EQ(answers[2].verdict, proof::Satisfiability::unsatisfiable);
+  EXPECT_TRUE(solver.ask_in_one_run(std::vector<std::string>{never, "(assert", never}, 60).empty());
+}
+
 std::vector<std::string> answers(const std::vector<std::string>& scripts) {
   std::string all;
   for (const std::string& script : scripts) all += script + "(reset)\n";

@@ -49,5 +49,24 @@ TEST(ThreadPool, RethrowsAnExceptionAndCanRunAgain) {
   }
 }
 
+TEST(EachInThreads, IsDoneOnce) {
+  for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
+    std::vector<std::atomic<int>> done(count);
+    for_each_in_threads(count, [&](std::size_t i) { ++done[i]; });
+    for (const std::atomic<int>& times : done) ASSERT_EQ(times, 1);
+  }
+}
+
+TEST(EachInThreads, EndsAfterAnException) {
+  const std::size_t all = 1'000'000'000;
+  std::atomic<std::size_t> done = 0;
+  const auto fails = [&](std::size_t i) {
+    if (i == 10) throw std::runtime_error("10");
+    ++done;
+  };
+  EXPECT_THROW(for_each_in_threads(all, fails), std::runtime_error);
+  EXPECT_LT(done, all - 1);
+}
+
 }  // namespace
 }  // namespace fixproof::support
