@@ -26,12 +26,14 @@ list(JOIN standard_includes "" standard_includes)
 list(JOIN standard_headers "|" standard_header)
 
 # read_header(HEADER RESULT): its text. It drops comments, `#pragma once`, the includes of standard_headers, and spaces
-# that only indent or align. To a line that ends with (, a comma, an operator or template <...>, it appends the next
-# line. It appends a line that begins with : or ? to the line before. It puts a block of one statement on one line. It
-# moves any other indented closing brace to the end of the line before.
+# that only indent or align. Before the first string of a line, it drops the space after a comma, and those around a =
+# that follows a name, ) or ]; after > they stay, because >= is another token. To a line that ends with (, a comma, an
+# operator or template <...>, it appends the next line. It appends a line that begins with : or ? to the line before. It
+# puts a block of one statement on one line. It moves any other indented closing brace to the end of the line before.
 function(read_header header result)
   file(READ ${root}/${header} text)
-  string(REGEX REPLACE "}  // namespace (fixproof|fixproof::detail)\n" "}@\\1@\n" text "${text}")
+  string(REGEX REPLACE "}  // namespace (fixproof|fixproof::detail|fixproof::detail::FIXED_LANES)\n" "}@\\1@\n" text
+         "${text}")
   string(REGEX REPLACE " *//[^\n]*| */[*][^*\n]*[*]/" "" text "\n${text}")
   string(REGEX REPLACE "\n\n+" "\n" text "${text}")
   string(REGEX REPLACE "([^ \n])  +" "\\1 " text "${text}")
@@ -44,6 +46,12 @@ function(read_header header result)
   endwhile()
   string(REGEX REPLACE "(\n +template <[^\n]+>)\n +" "\\1 " text "${text}")
   string(REGEX REPLACE "\n +" "\n" text "${text}")
+  while(text MATCHES "\n[^#\"\n][^\"\n]*, ")
+    string(REGEX REPLACE "(\n[^#\"\n][^\"\n]*), " "\\1," text "${text}")
+  endwhile()
+  while(text MATCHES "\n[^#\"\n][^\"\n]*[]A-Za-z0-9_)] = ")
+    string(REGEX REPLACE "(\n[^#\"\n][^\"\n]*[]A-Za-z0-9_)]) = " "\\1=" text "${text}")
+  endwhile()
   string(REPLACE "template <" "template<" text "${text}")
   string(REPLACE "\n#pragma once\n" "\n" text "${text}")
   string(REGEX REPLACE "\n#include <(${standard_header})>" "" text "${text}")
@@ -127,7 +135,7 @@ ${targets}${batch}
 
 #endif  // FIXED_LANES
 ")
-# Shorter names for macros: tests/fixed/import/own_tests limits the size.
+# Shorter names for macros: tests/fixed/import/single_header limits the size.
 foreach(pair "LANE_FUNCTION FN" "LANE_BYTES BYTES" "ALWAYS_INLINE HOT" "INLINE_UNOPTIMISED HOT0" "REFUSED_OPERATOR NO_OP"
     "REFUSED NO" "LITERAL LIT" "INSTEAD USE" "SURE_OF_AVX512 SURE")
   string(REPLACE " " ";FIXED_" pair "FIXED_${pair}")
@@ -136,7 +144,10 @@ foreach(pair "LANE_FUNCTION FN" "LANE_BYTES BYTES" "ALWAYS_INLINE HOT" "INLINE_U
   string(REPLACE ${long} ${short} text "${text}")
 endforeach()
 # Joins namespaces that one header closes and the next opens again. A name between @ marks where a header closes one.
-foreach(name fixproof fixproof::detail)
+# Headers of vector code are each a namespace in an #if.
+set(open_lanes "#if defined(FIXED_LANES)\nnamespace fixproof::detail::FIXED_LANES {\n")
+string(REPLACE "}@fixproof::detail::FIXED_LANES@\n#endif\n${open_lanes}" "" text "${text}")
+foreach(name fixproof fixproof::detail fixproof::detail::FIXED_LANES)
   string(REGEX REPLACE "}@${name}@\n+namespace ${name} {\n" "" text "${text}")
   string(REPLACE "}@${name}@" "}" text "${text}")
 endforeach()

@@ -46,9 +46,11 @@ noexcept(detail::element_t<Out>::never_throws) {
   using Number = detail::element_t<Out>;
   using Float = detail::element_t<Xs>;
   const std::size_t count = detail::batch_length(how, x, out);
-  return detail::run_batch<1, detail::has_float_lanes<Number>, Number::rules.range>(
+  constexpr std::size_t few = detail::sure_of_masks ? 0 : 1;
+  return detail::run_batch<few, detail::has_float_lanes<Number>, Number::rules.range,
+                           divide_fault::none, detail::all_blocks>(
       "from_floats", how, count,
-      [](auto on, auto... args) {
+      [](auto on, auto... args) FIXED_INLINE {
         return on.template run<typename decltype(on)::template from_floats<Number, Float>>(args...);
       },
       detail::from_float_element<Number>{}, detail::start_of(out), detail::start_of(x));
@@ -60,10 +62,11 @@ template <detail::number_range Xs, detail::float_output Out>
 FIXED_ALWAYS_INLINE void to_floats(const Xs& x, Out&& out, path use = path::fastest) noexcept {
   using Number = detail::element_t<Xs>;
   using Float = detail::element_t<Out>;
-  (void)detail::run_batch<detail::loops_in_vectors ? 32 : 8, detail::has_float_lanes<Number>,
-                          overflow::wrap>(
+  constexpr std::size_t few = detail::sure_of_masks ? 0 : detail::loops_in_vectors ? 16 : 4;
+  (void)detail::run_batch<few, detail::has_float_lanes<Number>, overflow::wrap, divide_fault::none,
+                          detail::all_blocks>(
       "to_floats", {.use = use}, detail::shortest(x, out),
-      [](auto on, auto... args) {
+      [](auto on, auto... args) FIXED_INLINE {
         return on.template run<typename decltype(on)::template to_floats<Number, Float>>(args...);
       },
       [](std::size_t i, const Number* from) {

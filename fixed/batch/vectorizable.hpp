@@ -7,53 +7,37 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "fixed/detail/bit_cast.hpp"
 #include "fixed/detail/bits.hpp"
 #include "fixed/detail/divide.hpp"
 #include "fixed/detail/floating.hpp"
 #include "fixed/detail/hardware.hpp"
+#include "fixed/detail/quotient.hpp"
 #include "fixed/number.hpp"
 #include "fixed/policy.hpp"
 #include "fixed/traits.hpp"
 
 namespace fixproof::detail {
 
-/// Whether the conversion of numbers in range is rounded_half_up() of their ulps.
+/// Whether the conversion of numbers in range is rounded_ulps().
 template <class Number>
 inline constexpr bool has_vector_conversion =
     hardware_double&& std::is_signed_v<typename Number::raw_type>&&
             bits_of<typename Number::raw_type> <= 32 &&
     Number::rules.multiply == rounding::half_up;
 
-/// floor(x + 1/2) for |x| < 2^50, and a word of at least 2^49 in magnitude for others and for NaN.
-/// In every rounding mode of the processor, without a branch and without a 64-bit conversion, which
-/// SSE2 has only for scalars.
-///
-/// Adding 1.5 * 2^52 to an integer below 2^51 gives a double whose low bits are that integer. To
-/// another number, it adds an integer next to it. The bits of doubles rise with the doubles, so
-/// other sums are as far from the constant.
-inline std::int64_t rounded_half_up(double x) noexcept {
-  constexpr double ones = 0x1.8p52;
-  constexpr auto bits_of_ones = bit_cast<std::uint64_t>(ones);
-#if defined(__clang__) && (defined(__SSE4_1__) || defined(__aarch64__))
-  // g++ 12 vectorises no floor.
-  const auto twice = bit_cast<std::uint64_t>(__builtin_floor(x + x) + ones) - bits_of_ones;
-  return static_cast<std::int64_t>(twice + 1) >> 1;
-#else
-  // What x is above the integer is exact: less than one, and a multiple of the last place of x. In
-  // the nearest mode it is at most a half on either side.
-  const double placed = x + ones;
-  const double above = x - (placed - ones);
-  return static_cast<std::int64_t>(bit_cast<std::uint64_t>(placed) - bits_of_ones +
-                                   std::uint64_t{above >= 0.5} - std::uint64_t{above < -0.5});
-#endif
+/// place_of_floors + 2 u, where u is x in ulps, rounded half up and below 2^49 in magnitude. The
+/// lowest bit is arbitrary. It works in every rounding mode of the processor.
+template <class Number, binary_float Float>
+std::uint64_t placed_ulps(Float x) noexcept {
+  constexpr double half_ulps = std::int64_t{2} << Number::fraction_bits;
+  return placed_floor<1>(static_cast<double>(x) * half_ulps);
 }
 
-/// The ulps of a float or double, which are exact unless they are beyond every number.
+/// x in ulps, rounded half up, if that is below 2^49 in magnitude. Larger x, infinities and NaN
+/// give a word of at least 2^48 in magnitude.
 template <class Number, binary_float Float>
 std::int64_t rounded_ulps(Float x) noexcept {
-  constexpr double one = std::int64_t{1} << Number::fraction_bits;
-  return rounded_half_up(static_cast<double>(x) * one);
+  return static_cast<std::int64_t>(placed_ulps<Number>(x) - place_of_floors) >> 1;
 }
 
 }  // namespace fixproof::detail
@@ -89,7 +73,7 @@ template <any_number Number, detail::binary_float Float>
   if constexpr (detail::has_vector_conversion<Number>) {
     if (!std::is_constant_evaluated()) {
       return Number::from_raw(
-          static_cast<typename Number::raw_type>(detail::rounded_ulps<Number>(x)));
+          static_cast<typename Number::raw_type>(detail::placed_ulps<Number>(x) >> 1));
     }
   }
   return Number(x);

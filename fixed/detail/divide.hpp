@@ -49,6 +49,19 @@ constexpr Raw limit_toward_zero(Raw n) noexcept {
   return n == 0 ? Raw{0} : end;
 }
 
+/// The same for a signed integer, in the form that the compiler vectorises best.
+template <class Raw>
+constexpr std::int32_t vectorizable_limit(Raw n) noexcept {
+  constexpr std::int32_t highest = (std::numeric_limits<Raw>::max)();
+  const std::int32_t wide = n;
+#if defined(__clang__)
+  const auto negated = static_cast<std::int32_t>(0 - static_cast<std::uint32_t>(wide));
+  return ((negated & ~wide) >> 31 & highest) | (wide & ~highest);
+#else
+  return (wide >> 31 ^ highest) & -std::int32_t{wide != 0};
+#endif
+}
+
 /// The same for a numerator of any type.
 template <class Raw>
 constexpr Raw by_zero(bool negative, bool zero) noexcept {
@@ -99,23 +112,21 @@ FIXED_ALWAYS_INLINE constexpr Raw divide_unless_zero(Raw n, Raw d) noexcept {
   return narrow<range, Raw>(quotient_of<Raw, FractionBits, Rules>(n, divisor), [] {});
 }
 
-/// The same in a form that compilers vectorise, if has_fast_quotient.
+/// divide_unless_zero() in a form that compilers vectorise, if has_fast_quotient.
 template <class Raw, int FractionBits, policy Rules>
 constexpr Raw total_divide(Raw n, Raw d) noexcept {
   if constexpr (has_fast_quotient<Raw, FractionBits, Rules>) {
     constexpr int shift = numerator_shift<FractionBits, Rules>;
     const divisor_t<Raw> divisor = effective_divisor<Raw, FractionBits, Rules>(d);
-    // Divides by 1 instead of 0 and selects by a mask, because a branch would prevent
-    // vectorisation.
+    // A mask selects the result, because a branch would prevent vectorisation.
     const std::int32_t by_zero = -std::int32_t{divisor == 0};
-    const auto limit = static_cast<std::int32_t>(limit_toward_zero<Raw>(n));
+    const std::int32_t limit = vectorizable_limit(n);
     std::int32_t quotient = 0;
     if constexpr (Rules.quotient_range() == overflow::saturate) {
-      quotient = saturated_quotient<Raw, Rules.divide, shift>(n, divisor - by_zero);
+      quotient = saturated_quotient<Raw, Rules.divide, shift>(n, divisor);
     } else {
       // A quotient is below 2^48; one that Raw cannot hold wraps here.
-      quotient =
-          static_cast<std::int32_t>(rounded_quotient<Rules.divide, shift>(n, divisor - by_zero));
+      quotient = static_cast<std::int32_t>(rounded_quotient<Rules.divide, shift>(n, divisor));
     }
     return static_cast<Raw>((quotient & ~by_zero) | (limit & by_zero));
   } else {

@@ -126,8 +126,13 @@ inline std::int32_t upper_bits(double x) noexcept {
   return static_cast<std::int32_t>(bit_cast<std::uint64_t>(x) >> 32);
 }
 
+/// The divisor, or 1 in place of 0.
+constexpr std::int32_t one_for_zero(std::int32_t divisor) noexcept {
+  return divisor + std::int32_t{divisor == 0};
+}
+
 /// The quotient by one double division, plus a half if Rounding rounds to nearest. Its floor, or
-/// its trunc for half_away and truncate, is the rounded quotient.
+/// its trunc for half_away and truncate, is the rounded quotient. A divisor of 0 counts as 1.
 ///
 /// Bit-identical to integer division for every operand and every rounding mode of the processor:
 ///
@@ -144,7 +149,15 @@ inline std::int32_t upper_bits(double x) noexcept {
 template <rounding Rounding, int Shift>
 inline double quotient_sum(std::int32_t numerator, std::int32_t divisor) noexcept {
   constexpr double scale = std::int64_t{1} << Shift;
-  const double q = static_cast<double>(numerator) * scale / static_cast<double>(divisor);
+#if defined(__SSE4_1__)
+  // Vector registers replace a 0 and scale with the least work here. The scale is a power of two,
+  // so it rounds nothing.
+  const auto d = static_cast<double>(divisor);
+  const double q = static_cast<double>(numerator) / (d + (d == 0 ? 1.0 : 0.0)) * scale;
+#else
+  const double q =
+      static_cast<double>(numerator) * scale / static_cast<double>(one_for_zero(divisor));
+#endif
   if constexpr (Rounding == rounding::half_up) {
     return q + 0.5;
   } else if constexpr (Rounding == rounding::half_away) {
@@ -154,20 +167,33 @@ inline double quotient_sum(std::int32_t numerator, std::int32_t divisor) noexcep
   }
 }
 
-/// The floor of a quotient_sum(), in every rounding mode.
+/// The bits of 1.5 * 2^52, which placed_floor() adds to a floor.
+inline constexpr std::uint64_t place_of_floors = 0x4338'0000'0000'0000;
+
+/// The bits of the double 1.5 * 2^52 + floor(x) + Plus, for |x| < 2^50. Its low bits are those of
+/// floor(x) + Plus. For other x and for NaN, the bits differ from place_of_floors by at least
+/// 2^50 - 1.
 ///
-/// Adding 1.5 * 2^52 to a sum below 2^51 gives a double whose last bit has weight one; the rounding
-/// mode decides which neighbour of the sum it is. The integer is taken from the bits, and the sign
-/// of the difference from the sum tells whether to step back. That difference is 0 or at least
-/// 2^-33; adding 2^-40 prevents a step for zero, which is negative when rounding downward. This has
-/// no branch and no 64-bit conversion, which SSE2 has only for scalars, so compilers vectorise it.
-inline std::int64_t floor_of_sum(double sum) noexcept {
+/// It works in every rounding mode of the processor. It has no branch and no 64-bit conversion,
+/// which SSE2 has only for scalars, so compilers vectorise it.
+template <int Plus>
+inline std::uint64_t placed_floor(double x) noexcept {
+  static_assert(Plus == 0 || Plus == 1);
   constexpr double ones = 0x1.8p52;
-  const double placed = sum + ones;
-  const double over_neighbour = sum - (placed - ones);
-  const std::uint64_t step = bit_cast<std::uint64_t>(over_neighbour + 0x1p-40) >> 63;
-  return bit_cast<std::int64_t>(placed) - bit_cast<std::int64_t>(ones) -
-         static_cast<std::int64_t>(step);
+  static_assert(bit_cast<std::uint64_t>(ones) == place_of_floors);
+#if defined(__clang__) && (defined(__SSE4_1__) || defined(__aarch64__))
+  return bit_cast<std::uint64_t>(__builtin_floor(x) + (ones + Plus));
+#elif defined(__SSE4_1__) && defined(__GNUC__)
+  // g++ 12 vectorises no floor. The mode decides whether this is the floor or the ceiling of x.
+  const double neighbour = __builtin_rint(x);
+  return bit_cast<std::uint64_t>(neighbour + (x < neighbour ? ones + (Plus - 1) : ones + Plus));
+#else
+  // The last bit of the sum has weight one, so the sum less `ones` is the floor or the ceiling,
+  // too.
+  const double placed = x + ones;
+  const auto bits = bit_cast<std::uint64_t>(placed) + std::uint64_t{Plus};
+  return x < placed - ones ? bits - 1 : bits;
+#endif
 }
 
 /// Whether rule Rounding is a floor after adding the half; otherwise it is a trunc.
@@ -175,7 +201,8 @@ template <rounding Rounding>
 inline constexpr bool rounds_by_floor =
     Rounding == rounding::half_up || Rounding == rounding::floor;
 
-/// numerator * 2^Shift / divisor rounded by rule Rounding. @pre divisor is not zero, Shift <= 16
+/// numerator * 2^Shift / divisor rounded by rule Rounding. A divisor of 0 counts as 1.
+/// @pre Shift <= 16
 template <rounding Rounding, int Shift>
 constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
   // if constexpr: without hardware doubles even dead code must not contain a double.
@@ -183,10 +210,14 @@ constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t div
     if (!std::is_constant_evaluated()) {
       // At most 2^47 and a half.
       const double sum = quotient_sum<Rounding, Shift>(numerator, divisor);
-      return rounds_by_floor<Rounding> ? floor_of_sum(sum) : static_cast<std::int64_t>(sum);
+      if constexpr (rounds_by_floor<Rounding>) {
+        return static_cast<std::int64_t>(placed_floor<0>(sum) - place_of_floors);
+      } else {
+        return static_cast<std::int64_t>(sum);
+      }
     }
   }
-  return integer_quotient<Rounding, Shift>(numerator, divisor);
+  return integer_quotient<Rounding, Shift>(numerator, one_for_zero(divisor));
 }
 
 /// rounded_quotient(), saturated to the range of Raw.
@@ -202,7 +233,7 @@ constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t d
       constexpr double below_end = static_cast<double>(highest) + (1 - 0x1p-19);
       const double sum = quotient_sum<Rounding, Shift>(numerator, divisor);
       // Modulo 2^32; below, `end` replaces what is out of range.
-      const auto low = static_cast<std::int32_t>(floor_of_sum(sum));
+      const auto low = static_cast<std::int32_t>(placed_floor<0>(sum));
       const std::int32_t end = ((numerator ^ divisor) >> 31) ^ highest;
       const std::int32_t out = (upper_bits(sum - lowest) | upper_bits(below_end - sum)) >> 31;
       return (low & ~out) | (end & out);

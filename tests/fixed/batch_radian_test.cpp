@@ -9,7 +9,7 @@ using namespace fixproof;
 
 /// All paths. The library replaces those that the processor lacks.
 constexpr std::array paths{batch::path::portable, batch::path::neon, batch::path::avx2,
-                           batch::path::avx512};
+                           batch::path::avx512, batch::path::fastest};
 
 /// Enough angles for some hundred blocks with a doubtful lane; one lane in 2^12 is doubtful.
 template <class Number>
@@ -51,6 +51,7 @@ TEST(BatchRadian, SameBitsAsOneByOne) {
   expect_same_bits<q8_8>();
 }
 
+/// The first is doubtful, which short spans leave to the plain loop.
 template <class Number>
 std::vector<Number> numbers(std::size_t count) {
   std::vector<Number> all;

@@ -182,11 +182,12 @@ FIXED_LANE_FUNCTION i32 added(i32 a, i32 b, i32& bad) {
   }
 }
 
-/// The part of a divisor that the policy uses, with 1 in place of 0, and the lanes with 0.
+/// The part of a divisor that the policy uses, and the lanes with 0.
 struct divisor_lanes {
   std::uint32_t zeros;
   half_i32 are_zero;
-  f64 value;
+  half_i32 stored;  ///< 0 for 0
+  f64 value;        ///< 1 for 0
 };
 
 template <class Number>
@@ -196,7 +197,7 @@ FIXED_LANE_FUNCTION divisor_lanes divisor_of(half_i32 d) {
     d = (d + ((d >> 31) & ((1 << Point) - 1))) >> Point;
   }
   const half_i32 are_zero = half_i32(d == 0);
-  return {zero_bits(d), are_zero, doubles(d - are_zero)};
+  return {zero_bits(d), are_zero, d, doubles(d - are_zero)};
 }
 
 FIXED_LANE_FUNCTION f64 magnitude_of(f64 x) {
@@ -212,7 +213,8 @@ FIXED_LANE_FUNCTION f64 with_sign_of(f64 magnitude, f64 sign) {
 template <rounding Rounding, int Shift>
 FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
   constexpr double scale = std::int64_t{1} << Shift;
-  const f64 q = numerator * scale / divisor;
+  // Scaling is exact. Some compilers fuse it with the sum.
+  const f64 q = numerator / divisor * scale;
   if constexpr (Rounding == rounding::half_up) {
     return q + 0.5;
   } else if constexpr (Rounding == rounding::half_away) {

@@ -13,6 +13,18 @@
 ///     static bool is_clean(check);              // whether all results are right and have no fault
 ///     void note(std::size_t i, part, fault_recorder&) const;  // computes, stores, records faults
 ///
+/// An operation that divides also has zeros(), which is asked before at(), so that no lane divides
+/// by zero. An operation whose output is never an input has stores_first. It stores before it asks
+/// is_clean():
+///
+///     std::uint32_t zeros(std::size_t i, part) const;  // a bit for each zero divisor
+///     static constexpr bool stores_first;              // true
+///
+/// An operation may return from half() one for spans of at most half a block, which has number,
+/// check, out, at() and is_clean():
+///
+///     half() const
+///
 /// An operation whose check is no_faults has no note(). An operation that may be inexact in some
 /// rounding mode of the processor also has
 ///
@@ -25,11 +37,24 @@
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
 
+/// Whether no divisor of some blocks is zero. They begin at the elements `i`.
+template <class Operation, class Part, class... Indices>
+FIXED_LANE_FUNCTION bool has_no_zeros(const Operation& operation, Part part, Indices... i) {
+  if constexpr (requires { (... | operation.zeros(i, part)); }) {
+    return (... | operation.zeros(i, part)) == 0;
+  } else {
+    return true;
+  }
+}
+
 /// Computes a block, and stores it unless it may have a fault. noted_blocks() computes such a block
 /// again, and needs its operands: an output may be an input.
 /// @return whether the block is stored
 template <class Operation, class Part>
 FIXED_LANE_FUNCTION bool clean_block(const Operation& operation, std::size_t i, Part part) {
+  if (!has_no_zeros(operation, part, i)) [[unlikely]] {
+    return false;
+  }
   typename Operation::check seen{};
   const auto results = operation.at(i, part, seen);
   if (!Operation::is_clean(seen)) [[unlikely]] {
@@ -39,15 +64,64 @@ FIXED_LANE_FUNCTION bool clean_block(const Operation& operation, std::size_t i, 
   return true;
 }
 
-/// Computes blocks from `i` up to `end`, or up to a block or group of four that may have a fault.
+/// Computes the elements from `i` on, which are at most those of two blocks, with few jumps.
+/// @return the first element that is left, or `count`
+/// @pre has_masks
+template <class Operation>
+FIXED_LANE_FUNCTION std::size_t at_most_two_blocks(const Operation& operation, std::size_t i,
+                                                   std::size_t count) {
+  constexpr std::size_t size = Operation::size;
+  const std::size_t left = count - i;
+  if constexpr (requires { operation.half(); }) {
+    if (left <= width / 2)
+      return clean_block(operation.half(), i, first_elements(left)) ? count : i;
+  }
+  if (left <= size) return clean_block(operation, i, first_elements(left)) ? count : i;
+  if (!clean_block(operation, i, whole_block{})) return i;
+  return clean_block(operation, i + size, first_elements(left - size)) ? count : i + size;
+}
+
+/// Computes four blocks and stores them at once.
+template <class Operation>
+FIXED_LANE_FUNCTION void stored_blocks(const Operation& operation, std::size_t i,
+                                       typename Operation::check& seen) {
+  using number = typename Operation::number;
+  constexpr std::size_t size = Operation::size;
+  const auto first = operation.at(i, whole_block{}, seen);
+  const auto second = operation.at(i + size, whole_block{}, seen);
+  const auto third = operation.at(i + 2 * size, whole_block{}, seen);
+  const auto fourth = operation.at(i + 3 * size, whole_block{}, seen);
+  store<number>(operation.out, i, first);
+  store<number>(operation.out, i + size, second);
+  store<number>(operation.out, i + 2 * size, third);
+  store<number>(operation.out, i + 3 * size, fourth);
+}
+
+/// Computes blocks from `i` up to `end`, or up to some, those of four registers at most, that may
+/// have a fault.
 /// @return the first element that is left
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::size_t i,
                                              std::size_t end) {
   using number = typename Operation::number;
   constexpr std::size_t size = Operation::size;
-  if constexpr (Operation::in_groups) {
+  if constexpr (requires { Operation::stores_first; }) {
+    static_assert(size == width || size == width / 2);
+    // Four registers: a test takes as long as half of one.
+    for (; end - i >= 4 * width; i += 4 * width) {
+      typename Operation::check seen{};
+      stored_blocks(operation, i, seen);
+      if constexpr (size < width) stored_blocks(operation, i + 4 * size, seen);
+      if (!Operation::is_clean(seen)) [[unlikely]] {
+        return i;
+      }
+    }
+  } else if constexpr (Operation::in_groups) {
     for (; end - i >= 4 * size; i += 4 * size) {
+      if (!has_no_zeros(operation, whole_block{}, i, i + size, i + 2 * size, i + 3 * size))
+          [[unlikely]] {
+        return i;
+      }
       typename Operation::check seen{};
       const auto first = operation.at(i, whole_block{}, seen);
       const auto second = operation.at(i + size, whole_block{}, seen);
@@ -90,9 +164,12 @@ FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size
     // The last block may overlap the one before it, and an output may be an input. So the last
     // block is computed first.
     const std::size_t last = count - size;
+    const std::size_t end = i + (count - i - 1) / size * size;
+    if (!has_no_zeros(operation, whole_block{}, last)) [[unlikely]] {
+      return clean_blocks(operation, i, end);
+    }
     typename Operation::check seen{};
     const auto results = operation.at(last, whole_block{}, seen);
-    const std::size_t end = i + (count - i - 1) / size * size;
     i = clean_blocks(operation, i, end);
     if (i != end || !Operation::is_clean(seen)) return i;
     store<typename Operation::number>(operation.out, last, results, whole_block{});

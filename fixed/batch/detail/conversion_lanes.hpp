@@ -65,52 +65,111 @@ template <class Number, class Float>
 struct from_float_blocks {
   using number = Number;
   using limits = std::numeric_limits<typename Number::raw_type>;
+  using check = std::uint32_t;  // the lanes that note() computes one by one
   static constexpr rounding Rounding = Number::rules.multiply;
-  static constexpr bool by_words =
-      has_half_up_words && Rounding == rounding::half_up && sizeof(Number) == 4;
-  using check = std::conditional_t<by_words, half_i32, std::uint32_t>;
   static constexpr std::size_t size = width / 2;
   static constexpr bool in_groups = true;
+  static constexpr bool stores_first = true;
   void* out;
   const void* x;
 
-  /// The lanes that note() computes one by one.
-  FIXED_LANE_FUNCTION static std::uint32_t missing(check seen) {
-    if constexpr (by_words) {
-      return bits_equal(seen, (limits::min)());
-    } else {
-      return seen;
-    }
-  }
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION half_i32 at(std::size_t i, Part part, check& seen) const {
-    if constexpr (by_words) {
-      // Rounding the sum down does not change its floor. The least word may be a result, too; it is
-      // rare enough to be computed again.
-      constexpr double one = std::uint64_t{1} << Number::fraction_bits;
-      const half_i32 values = half_up_words(load_doubles<Float, Rounding>(x, i, part), one);
-      seen = seen < values ? seen : values;
-      return values;
-    } else {
-      constexpr bool wraps = Number::rules.range == overflow::wrap;
-      constexpr double lowest = wraps ? -0x1p50 : double{(limits::min)()};
-      constexpr double highest = wraps ? 0x1p50 : double{(limits::max)()};
-      constexpr double twice_one = std::uint64_t{2} << Number::fraction_bits;
-      const f64 twice = load_doubles<Float, Rounding>(x, i, part) * twice_one;
-      const std::uint32_t there =
-          bits_at_least(twice, f64{} + 2 * lowest) & bits_at_least(f64{} + 2 * highest, twice);
-      seen |= there ^ ((1U << size) - 1);
-      return half_rounded<Rounding>(twice);
-    }
+  [[nodiscard]] FIXED_LANE_FUNCTION half_i32 at(std::size_t i, Part part,
+                                                std::uint32_t& missing) const {
+    constexpr bool wraps = Number::rules.range == overflow::wrap;
+    constexpr double lowest = wraps ? -0x1p50 : double{(limits::min)()};
+    constexpr double highest = wraps ? 0x1p50 : double{(limits::max)()};
+    constexpr double twice_one = std::uint64_t{2} << Number::fraction_bits;
+    const f64 twice = load_doubles<Float, Rounding>(x, i, part) * twice_one;
+    const std::uint32_t there =
+        bits_at_least(twice, f64{} + 2 * lowest) & bits_at_least(f64{} + 2 * highest, twice);
+    missing |= there ^ ((1U << size) - 1);
+    return half_rounded<Rounding>(twice);
   }
-  FIXED_LANE_FUNCTION static bool is_clean(check seen) { return missing(seen) == 0; }
+  FIXED_LANE_FUNCTION static bool is_clean(std::uint32_t missing) { return missing == 0; }
   template <class Part>
   FIXED_LANE_FUNCTION void note(std::size_t i, Part part, fault_recorder& found) const {
-    check seen{};
-    store<Number>(out, i, at(i, part, seen), part);
-    missing_from_floats<Number, Float>(x, out, i, missing(seen), found);
+    std::uint32_t missing = 0;
+    store<Number>(out, i, at(i, part, missing), part);
+    missing_from_floats<Number, Float>(x, out, i, missing, found);
   }
 };
+
+#if FIXED_LANE_BYTES == 64
+
+/// Half a block of 32-bit numbers from floating-point numbers, with halves up.
+///
+/// Doubles from 1.5 2^36 up to but without 1.5 2^36 + 2^32 have equal upper 16 bits, then an
+/// integer of 32 bits, then a fraction. So the sum of a number in ulps and such a double has the
+/// floor of the number, and tells whether that is in range. The ends are doubles, so rounding the
+/// sum down crosses neither. The number itself is in ones, not ulps, and so is the sum: the bits
+/// are the same, but for the exponent, and no product is needed.
+template <class Number, class Float>
+struct half_up_halves {
+  using number = Number;
+  using check = i64;  // all bits of the fields; lanes out of range set some of the upper 16
+  static constexpr std::size_t size = width / 2;
+  void* out;
+  const void* x;
+
+  /// Returns 16 bits that are zero if the result is in range, 32 of the result, and 16 of a
+  /// fraction.
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION i64 fields(std::size_t i, Part part) const {
+    constexpr double one = std::uint64_t{1} << Number::fraction_bits;
+    // The sum for 0. Its 2^31 makes room for negative integers.
+    constexpr double place = (0x1.8p36 + 0x1p31 + 0.5) / one;
+    const f64 sum = sum_down(load_doubles<Float, rounding::half_up>(x, i, part), f64{} + place);
+    return i64(sum) ^ bit_cast<std::int64_t>(place);
+  }
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION half_i32 at(std::size_t i, Part part, i64& seen) const {
+    seen = fields(i, part);
+    return low_words(seen >> 16);
+  }
+  FIXED_LANE_FUNCTION static bool is_clean(i64 seen) { return !any_of_upper_16_bits(seen); }
+};
+
+/// The same for a block.
+template <class Number, class Float>
+struct half_up_blocks {
+  using halves = half_up_halves<Number, Float>;
+  using number = Number;
+  using check = i64;
+  static constexpr std::size_t size = width;
+  static constexpr bool in_groups = true;
+  static constexpr bool stores_first = true;
+  void* out;
+  const void* x;
+
+  [[nodiscard]] FIXED_LANE_FUNCTION halves half() const { return {out, x}; }
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, Part part, i64& seen) const {
+    const i64 low = half().fields(i, part);
+    const i64 high = half().fields(i + width / 2, part.upper());
+    seen |= low | high;
+    return middles(low, high);
+  }
+  FIXED_LANE_FUNCTION static bool is_clean(i64 seen) { return halves::is_clean(seen); }
+  template <class Part>
+  FIXED_LANE_FUNCTION void note(std::size_t i, Part part, fault_recorder& found) const {
+    const from_float_blocks<Number, Float> any{out, x};
+    any.note(i, part, found);
+    any.note(i + width / 2, part.upper(), found);
+  }
+};
+
+template <class Number, class Float>
+using blocks_from_floats =
+    std::conditional_t<Number::rules.multiply == rounding::half_up && sizeof(Number) == 4,
+                       half_up_blocks<Number, Float>, from_float_blocks<Number, Float>>;
+
+#else
+
+template <class Number, class Float>
+using blocks_from_floats = from_float_blocks<Number, Float>;
+
+#endif
 
 /// What operations without faults have in common.
 struct no_faults {
@@ -119,6 +178,10 @@ struct no_faults {
 
   FIXED_LANE_FUNCTION static bool is_clean(no_faults /*seen*/) { return true; }
 };
+
+/// Whether no element has a fault, so that run() computes all of them where there are masks.
+template <class Operation>
+inline constexpr bool has_no_faults = std::is_same_v<typename Operation::check, no_faults>;
 
 template <class Number>
 struct to_double_blocks : no_faults {

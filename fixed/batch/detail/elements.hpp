@@ -62,12 +62,21 @@ struct quotient_blocks {
     return lanes;
   }
   template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION std::uint32_t zeros(std::size_t i, Part part) const {
+    return divisor(i, part).zeros;
+  }
+  /// @pre zeros() is 0
+  template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION half_i32 at(std::size_t i, Part part,
                                                 std::uint32_t& faults) const {
     std::uint32_t errors = 0;
     std::uint32_t overflows = 0;
+    divisor_lanes by = divisor(i, part);
+    // Lanes beyond a part are zero, and divide by 1.
+    if constexpr (std::is_same_v<Part, whole_block>) by.value = doubles(by.stored);
+    by.zeros = 0;
     const half_i32 values =
-        quotient_if_any<Number>(load_half<Number>(n, i, part), divisor(i, part), errors, overflows);
+        quotient_if_any<Number>(load_half<Number>(n, i, part), by, errors, overflows);
     faults |= errors | overflows;
     return values;
   }

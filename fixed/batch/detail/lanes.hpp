@@ -54,12 +54,12 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 // permute(x, from)      lane i is x[from[i]]
 // lower, upper, join    the halves of a block
 // low_words(x)          the lower halves of 64-bit lanes
+// widened(x)            converts to 64-bit lanes
 // doubles(x)            converts to double
 // bits(x)               the sign bits, one per lane
 // any_bit(x)            whether a bit is set
 // sum_of(x)             the sum of the lanes, modulo 2^64
 // zero_bits(x)          one bit per lane, set if the lane is zero
-// bits_equal(x, value)  one bit per lane, set if the lane is the value
 // bits_at_least(a, b)   one bit per lane, set if a >= b
 // bits_below(a, b)      one bit per lane, set if a < b
 // clamp(x, low, high)   x limited to [low, high]
@@ -68,8 +68,6 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 // integers(x)           converts to integers, to the nearest or truncated (has_nearest_floats)
 // has_nearest_floats    whether floats(), root() of floats and integers() round to nearest, ties to
 //                       even, in every rounding mode of the processor
-// half_up_words(x, s)   floor(x s + 1/2), and the least word if that is out of range or NaN, in
-//                       every rounding mode (has_half_up_words)
 // whole<by_floor>(x)    floor(x) or trunc(x) for |x| < 2^51, modulo 2^32 in the lower halves, in
 //                       every rounding mode
 // store_past(to, x)     stores x past the caches, at a multiple of the register size, if there is
@@ -91,6 +89,12 @@ FIXED_LANE_FUNCTION Lanes unknown(Lanes x) {
   asm("" : "+v"(x));
   return x;
 }
+/// Selects 16-bit words of two registers: `from` has their numbers, from 32 on for those of b.
+FIXED_LANE_FUNCTION i32 words_of(const std::array<std::int16_t, 32>& from, i64 a, i64 b) {
+  i32 numbers;
+  __builtin_memcpy(&numbers, &from, sizeof numbers);
+  return i32(_mm512_permutex2var_epi16(__m512i(a), __m512i(numbers), __m512i(b)));
+}
 /// The 16-bit words that middle<16>() selects from each pair of registers.
 inline constexpr std::array<std::int16_t, 32> middle_words = [] {
   std::array<std::int16_t, 32> from{};
@@ -103,10 +107,21 @@ inline constexpr std::array<std::int16_t, 32> middle_words = [] {
   }
   return from;
 }();
-FIXED_LANE_FUNCTION i32 middle_16(i64 even, i64 odd) {
-  i32 from;
-  __builtin_memcpy(&from, &middle_words, sizeof from);
-  return i32(_mm512_permutex2var_epi16(__m512i(even), __m512i(from), __m512i(odd)));
+FIXED_LANE_FUNCTION i32 middle_16(i64 even, i64 odd) { return words_of(middle_words, even, odd); }
+/// The 16-bit words that middles() selects.
+inline constexpr std::array<std::int16_t, 32> adjacent_middle_words = [] {
+  std::array<std::int16_t, 32> from{};
+  for (std::size_t i = 0; i < 32; ++i) {
+    from[i] = static_cast<std::int16_t>(i / 2 * 4 + 1 + i % 2);
+  }
+  return from;
+}();
+/// The 32 bits in the middle of each 64-bit lane, those of `low` first.
+FIXED_LANE_FUNCTION i32 middles(i64 low, i64 high) {
+  return words_of(adjacent_middle_words, low, high);
+}
+FIXED_LANE_FUNCTION bool any_of_upper_16_bits(i64 x) {
+  return _mm512_test_epi64_mask(__m512i(x), __m512i(i64{} + (std::int64_t{-1} << 48))) != 0;
 }
 FIXED_LANE_FUNCTION i64 negative(i64 x) { return x >> 63; }
 template <unsigned mask>
@@ -127,6 +142,10 @@ FIXED_LANE_FUNCTION i32 join(half_i32 low, half_i32 high) {
 }
 FIXED_LANE_FUNCTION half_i32 low_words(i64 x) {
   return half_i32(_mm512_maskz_cvtepi64_epi32(0xff, __m512i(x)));
+}
+// g++ 12 converts halves of the lanes and joins them.
+FIXED_LANE_FUNCTION i64 widened(half_i32 x) {
+  return i64(_mm512_maskz_cvtepi32_epi64(0xff, __m256i(x)));
 }
 FIXED_LANE_FUNCTION f64 doubles(half_i32 x) { return _mm512_maskz_cvtepi32_pd(0xff, __m256i(x)); }
 FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) { return _mm512_movepi32_mask(__m512i(x)); }
@@ -178,14 +197,9 @@ FIXED_LANE_FUNCTION i32 integers(f32 x) {
   return i32(
       _mm512_maskz_cvt_roundps_epi32(0xffff, x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
 }
-inline constexpr bool has_half_up_words = true;
-FIXED_LANE_FUNCTION std::uint32_t bits_equal(half_i32 x, std::int32_t value) {
-  return _mm256_cmpeq_epi32_mask(__m256i(x), __m256i(half_i32{} + value));
-}
-FIXED_LANE_FUNCTION half_i32 half_up_words(f64 x, double scale) {
-  constexpr int down = _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC;
-  const f64 sum = _mm512_maskz_fmadd_round_pd(0xff, x, f64{} + scale, f64{} + 0.5, down);
-  return half_i32(_mm512_maskz_cvt_roundpd_epi32(0xff, sum, down));
+/// x + y, rounded down in every rounding mode of the processor.
+FIXED_LANE_FUNCTION f64 sum_down(f64 x, f64 y) {
+  return _mm512_maskz_add_round_pd(0xff, x, y, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
 }
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
@@ -233,6 +247,7 @@ FIXED_LANE_FUNCTION half_i32 low_words(i64 x) {
   const i32 even_first = {0, 2, 4, 6, 0, 2, 4, 6};
   return lower(permute(i32(x), even_first));
 }
+FIXED_LANE_FUNCTION i64 widened(half_i32 x) { return __builtin_convertvector(x, i64); }
 FIXED_LANE_FUNCTION f64 doubles(half_i32 x) { return _mm256_cvtepi32_pd(__m128i(x)); }
 FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) {
   return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(x)));
@@ -263,11 +278,6 @@ FIXED_LANE_FUNCTION void store_past(void* to, i32 x) {
   _mm256_stream_si256(static_cast<__m256i*>(to), __m256i(x));
 }
 FIXED_LANE_FUNCTION void wait_for_stores() { _mm_sfence(); }
-inline constexpr bool has_half_up_words = false;
-FIXED_LANE_FUNCTION std::uint32_t bits_equal(half_i32 x, std::int32_t value) {
-  return zero_bits(x ^ value);
-}
-FIXED_LANE_FUNCTION half_i32 half_up_words(f64 /*x*/, double /*scale*/) { return half_i32{}; }
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
   constexpr int mode = by_floor ? _MM_FROUND_TO_NEG_INF : _MM_FROUND_TO_ZERO;
@@ -315,6 +325,7 @@ FIXED_LANE_FUNCTION i32 join(half_i32 low, half_i32 high) {
   return i32(vcombine_s32(int32x2_t(low), int32x2_t(high)));
 }
 FIXED_LANE_FUNCTION half_i32 low_words(i64 x) { return half_i32(vmovn_s64(int64x2_t(x))); }
+FIXED_LANE_FUNCTION i64 widened(half_i32 x) { return __builtin_convertvector(x, i64); }
 FIXED_LANE_FUNCTION f64 doubles(half_i32 x) { return __builtin_convertvector(x, f64); }
 FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) {
   const u32 places = {1, 2, 4, 8};
@@ -342,11 +353,6 @@ FIXED_LANE_FUNCTION i32 integers(f32 x) { return __builtin_convertvector(x, i32)
 inline constexpr bool can_store_past = false;
 FIXED_LANE_FUNCTION void store_past(void* to, i32 x) { __builtin_memcpy(to, &x, sizeof x); }
 FIXED_LANE_FUNCTION void wait_for_stores() {}
-inline constexpr bool has_half_up_words = false;
-FIXED_LANE_FUNCTION std::uint32_t bits_equal(half_i32 x, std::int32_t value) {
-  return zero_bits(x ^ value);
-}
-FIXED_LANE_FUNCTION half_i32 half_up_words(f64 /*x*/, double /*scale*/) { return half_i32{}; }
 template <bool by_floor>
 FIXED_LANE_FUNCTION i64 whole(f64 x) {
   return i64(by_floor ? vcvtmq_s64_f64(float64x2_t(x)) : vcvtq_s64_f64(float64x2_t(x)));

@@ -11,6 +11,8 @@ namespace fixproof::detail::FIXED_LANES {
 /// All elements of a block.
 struct whole_block {
   static constexpr std::uint32_t bits = ~0U;
+
+  [[nodiscard]] whole_block upper() const { return {}; }
 };
 
 /// The first `count` elements of a block, with a bit set for each.
@@ -19,6 +21,13 @@ struct first_elements {
   std::uint32_t bits = (1U << count) - 1;
 
   explicit first_elements(std::size_t n) : count(n) {}
+  /// The part of the upper half of a block. Where there are masks, the lower half takes `*this`: it
+  /// ignores the bits of the upper half.
+  [[nodiscard]] first_elements upper() const {
+    first_elements part = *this;
+    part.bits >>= width / 2;
+    return part;
+  }
   /// The part of register i of three that holds as many vertices. The upper bits mean nothing.
   [[nodiscard]] first_elements third(std::size_t i) const {
     first_elements part = *this;

@@ -80,10 +80,6 @@ FIXED_LANE_TARGET __attribute__((noinline)) i32 nearest_sines(i32 raw, std::uint
   }
   return raw;
 }
-template <int Point>
-FIXED_LANE_FUNCTION half_i32 nearest_sines(half_i32 raw, std::uint64_t ahead) {
-  return lower(nearest_sines<Point>(join(raw, half_i32{}), ahead));
-}
 
 /// The angles of a part of a block, and their turns: half a block is in 64-bit lanes.
 template <class Raw, int Point>
@@ -103,16 +99,27 @@ struct half_block_of_angles {
   FIXED_LANE_FUNCTION half_block_of_angles(const void* angles, std::size_t i, Part part)
       : raw(load_half<Raw>(angles, i, part)) {}
   [[nodiscard]] FIXED_LANE_FUNCTION u64 turns(std::uint64_t ahead) const {
-    return turns_of_even(__builtin_convertvector(raw << (16 - Point), i64), ahead);
+    return turns_of_even(widened(raw << (16 - Point)), ahead);
   }
 };
 
+/// What sines_of() leaves to nearest_sines(). A short span leaves it to the caller instead, because
+/// registers are saved for a call even if it is not made.
+template <bool short_span>
+struct doubts {
+  using check = std::conditional_t<short_span, std::uint32_t, no_faults>;
+  static constexpr bool in_groups = false;
+
+  FIXED_LANE_FUNCTION static bool is_clean(std::uint32_t doubtful) { return doubtful == 0; }
+  FIXED_LANE_FUNCTION static bool is_clean(no_faults /*seen*/) { return true; }
+};
+
 /// @tparam Angles block_of_angles or half_block_of_angles
-template <class Raw, int Point, template <class, int> class Angles = block_of_angles>
-struct sine_blocks : no_faults {
+template <class Raw, int Point, bool short_span,
+          template <class, int> class Angles = block_of_angles>
+struct sine_blocks : doubts<short_span> {
   using number = Raw;
   static constexpr std::size_t size = width;
-  static constexpr bool in_groups = false;
   const void* angles;
   void* out;
   std::uint64_t ahead;
@@ -120,11 +127,14 @@ struct sine_blocks : no_faults {
   FIXED_LANE_FUNCTION sine_blocks(const void* from, void* to, std::uint64_t turns)
       : angles(from), out(to), ahead(turns) {}
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION auto at(std::size_t i, Part part, no_faults& /*seen*/) const {
+  [[nodiscard]] FIXED_LANE_FUNCTION auto at(std::size_t i, Part part,
+                                            typename doubts<short_span>::check& seen) const {
     const Angles<Raw, Point> block(angles, i, part);
     std::uint32_t doubtful = 0;
     auto values = sines_of<Point>(block.turns(ahead), doubtful);
-    if ((doubtful & part.bits) != 0) [[unlikely]] {
+    if constexpr (short_span) {
+      seen = doubtful & part.bits;
+    } else if ((doubtful & part.bits) != 0) [[unlikely]] {
       values = nearest_sines<Point>(block.raw, ahead);
     }
     return values;
@@ -145,23 +155,26 @@ FIXED_LANE_FUNCTION void store(const cosines_and_sines<void*>& out, std::size_t 
   store<Raw>(out.cosines, i, x.cosines, part);
 }
 
-template <class Raw, int Point, template <class, int> class Angles = block_of_angles>
-struct sine_cosine_blocks : no_faults {
+template <class Raw, int Point, bool short_span,
+          template <class, int> class Angles = block_of_angles>
+struct sine_cosine_blocks : doubts<short_span> {
   using number = Raw;
   static constexpr std::size_t size = width;
-  static constexpr bool in_groups = false;
   const void* angles;
   cosines_and_sines<void*> out;
 
   FIXED_LANE_FUNCTION sine_cosine_blocks(const void* from, void* cosines, void* sines)
       : angles(from), out{cosines, sines} {}
   template <class Part>
-  [[nodiscard]] FIXED_LANE_FUNCTION auto at(std::size_t i, Part part, no_faults& /*seen*/) const {
+  [[nodiscard]] FIXED_LANE_FUNCTION auto at(std::size_t i, Part part,
+                                            typename doubts<short_span>::check& seen) const {
     const Angles<Raw, Point> block(angles, i, part);
     std::uint32_t doubtful = 0;
     auto sines = sines_of<Point>(block.turns(0), doubtful);
     auto cosines = sines_of<Point>(block.turns(quarter_turn), doubtful);
-    if ((doubtful & part.bits) != 0) [[unlikely]] {
+    if constexpr (short_span) {
+      seen = doubtful & part.bits;
+    } else if ((doubtful & part.bits) != 0) [[unlikely]] {
       sines = nearest_sines<Point>(block.raw, 0);
       cosines = nearest_sines<Point>(block.raw, quarter_turn);
     }

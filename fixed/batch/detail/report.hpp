@@ -130,6 +130,9 @@ class fault_recorder {
 /// Asks run() to compute a span of at most one register, without a call.
 struct few_blocks {};
 
+/// Asks run() to compute a span of any length without a call, because the loop is short.
+struct all_blocks {};
+
 /// How many elements are done already, and what records the faults of the others.
 struct recording {
   std::size_t done;

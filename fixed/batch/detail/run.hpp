@@ -54,7 +54,8 @@ FIXED_ALWAYS_INLINE batch::report run_recorded(const char* operation, const batc
   fault_recorder found(how.marks.empty() ? how.marks : how.marks.first(count));
   if (count - done > few) {
     const recording from{done, found};
-    done = (std::max)(done, on_path<has>(how.use, [&](auto on) { return blocks(on, from); }));
+    done = (std::max)(
+        done, on_path<has>(how.use, [&](auto on) FIXED_INLINE { return blocks(on, from); }));
   }
   if (done < count) rest(done, found);
   return found.template finish<Overflow, Fault>(operation);
@@ -85,9 +86,18 @@ FIXED_ALWAYS_INLINE void keep_in_memory([[maybe_unused]] Type& copy) noexcept {
 /// Calls `Blocks` on a path, from a function of its own: so short spans need no stack, and this one
 /// jumps to the loop. The path is last, because the loop takes the other arguments in this order.
 template <bool has, class Blocks, class... Places>
-FIXED_NOINLINE std::size_t long_span(std::size_t done, std::size_t count, Places... places,
-                                     batch::path use) noexcept {
-  return on_path<has>(use, [=](auto on) { return Blocks{}(on, done, count, places...); });
+FIXED_NOINLINE std::size_t on_chosen_path(std::size_t count, Places... places,
+                                          batch::path use) noexcept {
+  return on_path<has>(
+      use, [=](auto on) FIXED_INLINE { return Blocks{}(on, std::size_t{0}, count, places...); });
+}
+
+/// The same on the fastest path, without asking which one.
+template <bool has, class Blocks, class... Places>
+FIXED_NOINLINE std::size_t on_fastest_path(std::size_t count, Places... places) noexcept {
+  return on_path<has>(batch::path::fastest, [=](auto on) FIXED_INLINE {
+    return Blocks{}(on, std::size_t{0}, count, places...);
+  });
 }
 
 /// Computes elements up to the first one that may have a fault.
@@ -147,37 +157,51 @@ FIXED_NOINLINE batch::report other_elements(std::size_t done, std::size_t end, T
 /// Runs a batch of elements that seldom have faults.
 /// @tparam few      up to this many elements are faster one by one, or one element if the first
 ///                  blocks need no call
+/// @tparam First    the blocks that need no call if the flags promise AVX-512: few_blocks, or
+///                  all_blocks
 /// @param blocks    (loops, start, count, to, from...) -> number of elements done. The start is
-///                  few_blocks, the index of an element, or a recording. Without a recording, stops
-///                  at a fault.
+///                  few_blocks, all_blocks, the index of an element, or a recording. Without a
+///                  recording, stops at a fault.
 /// @param element   as for each_element()
 template <std::size_t few, bool has, overflow Overflow, divide_fault Fault = divide_fault::none,
-          class Blocks, class Element, class Type, class... From>
+          class First = few_blocks, class Blocks, class Element, class Type, class... From>
 FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::options& how,
                                             std::size_t count, Blocks blocks, Element element,
                                             Type* to, const From*... from) {
   constexpr bool blocks_first = has && sure_of_masks;
-  if (count - 1 < (blocks_first ? (std::min)(few, std::size_t{1}) : few)) {  // and not 0
-    const std::size_t done = few_elements(count, element, to, from...);
+  // The report, after other_elements() if some are left.
+  const auto finished = [&](std::size_t done) FIXED_INLINE {
     if (done == count) return clean_report(how, count);
     return other_elements<has, Overflow, Fault, Blocks, Element, Type, From...>(
         done, count, to, from..., fault_context{operation, how});
+  };
+  if (count - 1 < (blocks_first ? (std::min)(few, std::size_t{1}) : few)) {  // and not 0
+    return finished(few_elements(count, element, to, from...));
   }
   std::size_t done = 0;
-  if constexpr (blocks_first) {
-    done = on_path<has>(how.use,
-                        [&](auto on) { return blocks(on, few_blocks{}, count, to, from...); });
+  if constexpr (blocks_first && std::is_same_v<First, all_blocks>) {
+    if (how.use == batch::path::fastest) {
+      done = on_path<has>(
+          how.use, [&](auto on) FIXED_INLINE { return blocks(on, First{}, count, to, from...); });
+      return finished(done);
+    }
+  } else if constexpr (blocks_first) {
+    done = on_path<has>(how.use, [&](auto on) FIXED_INLINE {
+      return blocks(on, few_blocks{}, count, to, from...);
+    });
   }
   if (done == count) return clean_report(how, count);
   // The code after a call uses copies. Only the way to the call stores them in memory.
   const auto others = [&](std::size_t end, auto... kept) FIXED_INLINE {
     (keep_in_memory(end), ..., keep_in_memory(kept));
     if constexpr (sure_of_masks) {
-      done = (std::max)(done, on_path<has>(how.use, [&](auto on) {
+      done = (std::max)(done, on_path<has>(how.use, [&](auto on) FIXED_INLINE {
                           return blocks(on, done, count, to, from...);
                         }));
     } else {
-      done = long_span<has, Blocks, Type*, const From*...>(0, count, to, from..., how.use);
+      done = how.use == batch::path::fastest
+                 ? on_fastest_path<has, Blocks, Type*, const From*...>(count, to, from...)
+                 : on_chosen_path<has, Blocks, Type*, const From*...>(count, to, from..., how.use);
     }
     if (done == end) return clean_report(how, end);
     return other_elements<has, Overflow, Fault, Blocks, Element, Type, From...>(

@@ -176,11 +176,11 @@ inline constexpr bool loops_in_vectors = false;
 #undef FIXED_SURE_OF_AVX2
 #undef FIXED_SURE_OF_AVX512
 
-/// Calls call(loops) with the loops of a path and returns its result. On the portable path and on
-/// unavailable paths, returns 0, because no element is done.
+/// Returns call(loops) with the loops of a path. On the portable path and on unavailable paths,
+/// returns rest().
 /// @tparam has whether the loops cover the operation on the numbers
-template <bool has, class Call>
-FIXED_ALWAYS_INLINE std::size_t on_path(batch::path which, const Call& call) {
+template <bool has, class Call, class Rest>
+FIXED_ALWAYS_INLINE auto on_path(batch::path which, const Call& call, const Rest& rest) {
   if constexpr (has) {
 #if defined(FIXED_BATCH_X86)
     // The path that most calls take, without a jump.
@@ -197,7 +197,13 @@ FIXED_ALWAYS_INLINE std::size_t on_path(batch::path which, const Call& call) {
   }
   (void)which;
   (void)call;
-  return 0;
+  return rest();
+}
+
+/// The same for loops that return the number of elements done: without loops, none is.
+template <bool has, class Call>
+FIXED_ALWAYS_INLINE std::size_t on_path(batch::path which, const Call& call) {
+  return on_path<has>(which, call, [] { return std::size_t{0}; });
 }
 
 }  // namespace fixproof::detail

@@ -40,9 +40,17 @@ using number_types = testing::Types<
     fixproof::number<std::int8_t, 3>, fixproof::number<std::int64_t, 32>>;
 #endif
 
-/// Every exponent, halves and their neighbours, infinities, NaN, zeros and subnormals.
+/// The number after the highest one, in ulps.
 template <class Float>
-std::vector<Float> values(int fraction_bits) {
+Float range_end(const Type& type) {
+  return std::ldexp(Float{1}, type.bits() - (type.is_signed ? 1 : 0));
+}
+
+/// Every exponent, halves and their neighbours, the ends of the range, infinities, NaN, zeros and
+/// subnormals.
+template <class Float>
+std::vector<Float> values(const Type& type) {
+  const int fraction_bits = type.fraction_bits;
   using limits = std::numeric_limits<Float>;
   std::vector<Float> all{0,
                          limits::infinity(),
@@ -63,6 +71,10 @@ std::vector<Float> values(int fraction_bits) {
     const Float half =
         (static_cast<Float>(random() % 70000) + Float{0.5}) / std::ldexp(Float{1}, fraction_bits);
     all.insert(all.end(), {half, std::nextafter(half, Float{0}), std::nextafter(half, 2 * half)});
+  }
+  for (int quarters = -6; quarters <= 6; ++quarters) {
+    const Float ulps = range_end<Float>(type) + static_cast<Float>(quarters) / 4;
+    all.push_back(std::ldexp(ulps, -fraction_bits));
   }
   const std::size_t positive = all.size();
   for (std::size_t i = 0; i < positive; ++i) all.push_back(-all[i]);
@@ -143,9 +155,16 @@ class Floats : public testing::TestWithParam<OfType> {};
 INSTANTIATE_TEST_SUITE_P(OfEachType, Floats,
                          testing::ValuesIn(of_each(number_types(), conversions_of)));
 
+/// Values in range, so that whole blocks have no fault.
 template <class Float>
-void check_from(const Conversion<Float>& conversion) {
-  const std::vector<Float> all = values<Float>(conversion.type.fraction_bits);
+std::vector<Float> values_in_range(const Conversion<Float>& conversion) {
+  std::vector<Float> all = values<Float>(conversion.type);
+  std::erase_if(all, [&](Float x) { return !conversion.from_one(x); });
+  return all;
+}
+
+template <class Float>
+void check_from(const Conversion<Float>& conversion, const std::vector<Float>& all) {
   Words expected(all.size());
   std::vector<Fault> expected_faults(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -181,10 +200,40 @@ void check_from(const Conversion<Float>& conversion) {
   }
 }
 
+// One NaN among numbers. Blocks are stored before they are tested, and then computed again.
+template <class Float>
+void check_from_with_one_fault(const Conversion<Float>& conversion) {
+  constexpr std::size_t longest = 140;
+  constexpr Float nan = std::numeric_limits<Float>::quiet_NaN();
+  Fault none{};
+  Fault one{};
+  const Words words(longest, conversion.expected(Float{1.5}, none));
+  const Word of_nan = conversion.expected(nan, one);
+  for (std::size_t n = 1; n <= longest; n += n < 40 ? 1 : 12) {
+    for (std::size_t at = 0; at < n; ++at) {
+      std::vector<Float> x(n, Float{1.5});
+      x[at] = nan;
+      Words expected(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(n));
+      expected[at] = of_nan;
+      std::vector<Fault> faults(n, none);
+      faults[at] = one;
+      const Column want(conversion.type, expected);
+      for (const auto path : paths()) {
+        Column out(conversion.type, n);
+        Marked marked(n);
+        const Report report = conversion.from_floats(x, out.at(0), marked.how(path));
+        SCOPED_TRACE(testing::Message() << "path " << static_cast<int>(path) << ", " << at);
+        ASSERT_TRUE(same(out, want));
+        marked.check(report, faults);
+      }
+    }
+  }
+}
+
 template <class Float>
 void check_from_one(const Conversion<Float>& conversion) {
   std::size_t in_range = 0;
-  for (const Float x : values<Float>(conversion.type.fraction_bits)) {
+  for (const Float x : values<Float>(conversion.type)) {
     Fault fault{};
     const Word want = conversion.expected(x, fault);
     for (const int mode : RoundingMode::all) {
@@ -201,11 +250,23 @@ void check_from_one(const Conversion<Float>& conversion) {
 }
 
 TEST_P(Floats, BecomeNumbers) {
-  check_from(GetParam().doubles);
-  check_from(GetParam().floats);
+  const auto& [doubles, floats] = GetParam();
+  check_from(doubles, values<double>(doubles.type));
+  check_from(floats, values<float>(floats.type));
 }
 
-// In a loop that compilers may vectorise, one by one.
+TEST_P(Floats, InRangeBecomeNumbers) {
+  const auto& [doubles, floats] = GetParam();
+  check_from(doubles, values_in_range(doubles));
+  check_from(floats, values_in_range(floats));
+}
+
+TEST_P(Floats, BecomeNumbersButOne) {
+  check_from_with_one_fault(GetParam().doubles);
+  check_from_with_one_fault(GetParam().floats);
+}
+
+// Each in a loop of one element.
 TEST_P(Floats, BecomeNumbersInLoops) {
   check_from_one(GetParam().doubles);
   check_from_one(GetParam().floats);
@@ -229,7 +290,8 @@ void check_to(const Conversion<Float>& conversion) {
   for (const auto path : paths()) {
     for (const int mode : RoundingMode::all) {
       std::vector<std::size_t> counts{x.size()};
-      for (std::size_t n = 0; n <= 40; ++n) counts.push_back(n);
+      const std::size_t longest = mode == FE_TONEAREST ? 130 : 40;
+      for (std::size_t n = 0; n <= longest; ++n) counts.push_back(n);
       for (const std::size_t n : counts) {
         Guarded<Float> out(n);
         {

@@ -95,9 +95,37 @@ TEST_P(Quotients, AreExactInEveryRoundingMode) {
   }
 }
 
+// A constant expression divides integers in place of doubles.
+constexpr fixproof::q16_16 zero(0);
+constexpr fixproof::q16_16 one(1);
+static_assert(fixproof::vectorizable_divide(-one, zero) ==
+              std::numeric_limits<fixproof::q16_16>::lowest());
+static_assert(fixproof::vectorizable_divide(one, zero) ==
+              std::numeric_limits<fixproof::q16_16>::max());
+static_assert(fixproof::vectorizable_divide(zero, zero) == zero);
+static_assert(fixproof::vectorizable_divide(-one, fixproof::q16_16(3)).raw() == -21845);
+static_assert(fixproof::vectorizable_divide(fixproof::q8_8(-1), fixproof::q8_8(0)) ==
+              std::numeric_limits<fixproof::q8_8>::lowest());
+
+// Both forms of n / 0 agree. Each compiler has one of the vectorizable forms.
+template <class Raw>
+constexpr bool limits_agree() {
+  using limits = std::numeric_limits<Raw>;
+  for (const Raw n : {limits::min(), Raw{-1}, Raw{0}, Raw{1}, limits::max()}) {
+    const Raw limit = fixproof::detail::limit_toward_zero(n);
+    if (fixproof::detail::vectorizable_limit(n) != limit) return false;
+  }
+  return true;
+}
+static_assert(limits_agree<std::int8_t>() && limits_agree<std::int16_t>() &&
+              limits_agree<std::int32_t>());
+
 TEST_P(Quotients, AreExactInLoops) {
   std::vector<Pair> pairs = GetParam().pairs();
-  for (const Word n : {-3, 0, 3}) pairs.push_back({n, 0});
+  const Type& type = GetParam().divide.type;
+  for (const Word n : {type.lowest(), Word{-3}, Word{0}, Word{3}, type.highest()}) {
+    pairs.push_back({n, 0});
+  }
   for (const auto& [n, d] : pairs) {
     const std::optional<Word> want = GetParam().exact(n, d);
     for (const int mode : RoundingMode::all) {
@@ -109,6 +137,52 @@ TEST_P(Quotients, AreExactInLoops) {
       ASSERT_EQ(quotient, want) << "raw " << n << " / raw " << d << ", mode " << mode;
     }
   }
+}
+
+template <int plus>
+void check_floor(double x) {
+  const std::uint64_t bits = fixproof::detail::placed_floor<plus>(x);
+  const auto word = static_cast<std::int64_t>(bits - fixproof::detail::place_of_floors);
+  if (std::abs(x) < 0x1p50) {
+    EXPECT_EQ(word, static_cast<std::int64_t>(std::floor(x)) + plus) << x;
+  } else {
+    EXPECT_GE(std::abs(word), (std::int64_t{1} << 50) - 1) << x;
+  }
+}
+
+TEST(Floors, OfEveryKindOfDoubleInEveryRoundingMode) {
+  using limits = std::numeric_limits<double>;
+  for (const double x :
+       {0.0, limits::denorm_min(), 0.25, 0.5, 0x1.fffffffffffffp-1, 1.0, 1.5, 0x1.fffffffffffffp49,
+        0x1p50, 0x1p51, 0x1.8p52, 0x1p53, 1e308, limits::infinity(), limits::quiet_NaN()}) {
+    for (const int mode : RoundingMode::all) {
+      const RoundingMode set(mode);
+      for (const double either : {x, -x}) {
+        check_floor<0>(either);
+        check_floor<1>(either);
+      }
+    }
+  }
+}
+
+/// Divides 1 and 0 by 0.
+template <class N>
+void check_zero_divisor() {
+  const volatile typename N::raw_type none = 0;
+  const auto d = N::from_raw(none);
+  std::feclearexcept(FE_ALL_EXCEPT);
+  const N of_one = fixproof::vectorizable_divide(N(1), d);
+  const N of_zero = fixproof::vectorizable_divide(N(0), d);
+  EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID), 0);
+  EXPECT_EQ(of_one, std::numeric_limits<N>::max());
+  EXPECT_EQ(of_zero, N(0));
+}
+
+TEST(Quotients, DivideNoDoubleByZero) {
+  check_zero_divisor<fixproof::q16_16>();
+  check_zero_divisor<fixproof::q16_16_saturating>();
+  constexpr fixproof::policy truncating{.divide = fixproof::rounding::truncate};
+  check_zero_divisor<fixproof::number<std::int32_t, 16, truncating>>();
 }
 
 /// Checks every path in every rounding mode of the processor.

@@ -105,10 +105,11 @@ class Marked {
   std::unique_ptr<bool[]> marks_;
 };
 
+/// The paths that this processor has. The fastest has code of its own for short spans.
 inline std::vector<fixproof::batch::path> paths() {
   using enum fixproof::batch::path;
   std::vector<fixproof::batch::path> there;
-  for (const auto path : {portable, neon, avx2, avx512}) {
+  for (const auto path : {portable, neon, avx2, avx512, fastest}) {
     if (fixproof::batch::has(path)) there.push_back(path);
   }
   return there;
