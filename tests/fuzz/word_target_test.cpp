@@ -81,7 +81,7 @@ TEST(MutateInput, FillsAShortInputAndLeavesASmallRoom) {
   EXPECT_EQ(small, before);
 }
 
-TEST(Words, HighestByteFirst) {
+TEST(FuzzWords, HighestByteFirst) {
   const std::array<std::uint8_t, 6> bytes{0x80, 0, 0, 1, 0xAB, 0xCD};
   std::array<std::uint32_t, 2> words{};
   fuzz::read_words(bytes, words);

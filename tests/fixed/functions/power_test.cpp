@@ -90,12 +90,12 @@ TEST(Powers, ConstantReciprocalsOfRootsAreNearest) {
 }
 
 template <class N>
-class Lengths : public testing::Test {};
+class PowerLengths : public testing::Test {};
 using LengthFormats = testing::Types<q8_0, q8_8, u0_16, q1_31, u32_32, q16_16, u0_32, q32_32, q1_63,
                                      u0_64, number<std::int16_t, 16>, number<std::int32_t, 32>>;
-TYPED_TEST_SUITE(Lengths, LengthFormats);
+TYPED_TEST_SUITE(PowerLengths, LengthFormats);
 
-TYPED_TEST(Lengths, AndReciprocalsOfEveryWidthAreNearest) {
+TYPED_TEST(PowerLengths, AndReciprocalsOfEveryWidthAreNearest) {
   using N = TypeParam;
   using raw = typename N::raw_type;
   std::mt19937_64 random(1994);

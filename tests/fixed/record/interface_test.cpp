@@ -290,11 +290,11 @@ TYPED_TEST(Interface, Overflow) {
 }
 
 template <class Number>
-class Functions : public Interface<Number> {};
+class InterfaceFunctions : public Interface<Number> {};
 using Narrow = testing::Types<q16_16, q16_16_saturating, q16_16_trapping, q8_8, q2_14>;
-TYPED_TEST_SUITE(Functions, Narrow);
+TYPED_TEST_SUITE(InterfaceFunctions, Narrow);
 
-TYPED_TEST(Functions, OfAtMost32Bits) {
+TYPED_TEST(InterfaceFunctions, OfAtMost32Bits) {
   RECORDS(sin(a));
   RECORDS(cos(a));
   RECORDS(tan(a));
@@ -330,7 +330,7 @@ TYPED_TEST(Functions, OfAtMost32Bits) {
   RECORDS(sin_cos_of_turns(a));
 }
 
-TYPED_TEST(Functions, ResultsInAnotherFormat) {
+TYPED_TEST(InterfaceFunctions, ResultsInAnotherFormat) {
   RECORDS(sin<Other<T>>(a));
   RECORDS(cos<Other<T>>(a));
   RECORDS(tan<Other<T>>(a));

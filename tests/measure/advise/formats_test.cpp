@@ -105,7 +105,7 @@ std::vector<trade::TriedFormat> tried(const xsharp::Scene& scene, double budget,
 // The largest result is the projection's constant, -2 * 160: 10 bits with the sign. A corner at
 // x = y = 1 and z = -9 or -11 is at 320 / 9 or 320 / 11; its quotient is off by half an ulp and its
 // product by another half.
-TEST(Formats, OfAStillCube) {
+TEST(AdviseFormats, OfAStillCube) {
   const auto formats = tried(cube_at(1, -10), 1000, 1);
   ASSERT_EQ(formats.size(), 2U * 25);
   for (const trade::TriedFormat& format : formats) {
@@ -123,7 +123,7 @@ TEST(Formats, OfAStillCube) {
   }
 }
 
-TEST(Formats, TheNarrowestHasTheFewestFractionBits) {
+TEST(AdviseFormats, TheNarrowestHasTheFewestFractionBits) {
   xsharp::Scene scene = cube_at(1, -10);
   scene.objects[0].spin.tenths = {10, 20, 0};
   const auto formats = tried(scene, 0.5, 600);
@@ -139,14 +139,14 @@ TEST(Formats, TheNarrowestHasTheFewestFractionBits) {
   EXPECT_FALSE(trade::narrowest(tried(scene, 1e-9, 60)));
 }
 
-TEST(Formats, AWordHoldsTheBits) {
+TEST(AdviseFormats, AWordHoldsTheBits) {
   const std::vector<std::array<int, 2>> widths{{1, 8},   {8, 8},   {9, 16},  {16, 16},
                                                {17, 32}, {32, 32}, {33, 64}, {40, 64}};
   for (const auto& [bits, width] : widths) EXPECT_EQ(trade::integer_width(bits), width);
 }
 
 // A cube has 8 vertices: 8 * 6 words and 24 for its transforms.
-TEST(Formats, MemoryIsThatOfVerticesAndTransforms) {
+TEST(AdviseFormats, MemoryIsThatOfVerticesAndTransforms) {
   const std::atomic<bool> stop = false;
   const auto costs = trade::format_costs(cube_at(1, -10), 16, stop);
   ASSERT_EQ(costs.size(), 2U);
@@ -157,7 +157,7 @@ TEST(Formats, MemoryIsThatOfVerticesAndTransforms) {
   EXPECT_GT(costs[1].nanoseconds.median, 0);
 }
 
-TEST(Formats, AsJson) {
+TEST(AdviseFormats, AsJson) {
   trade::FormatReport report;
   report.tried = {{4, {true, 0}, {}, 12}, {5, {false, 60}, {}, 13}};
   report.tried[0].error.pixels = std::numeric_limits<double>::infinity();

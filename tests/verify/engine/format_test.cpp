@@ -80,7 +80,7 @@ Integer from_tie(const Integer& n, const Integer& d) {
   return abs(2 * rest - modulus);
 }
 
-TEST(Formats, ProductTiesAreTies) {
+TEST(VerifyFormats, ProductTiesAreTies) {
   for (const cases::Format& format : formats()) {
     const cases::Variant v = in_format(Operation::mul, format);
     const Integer one = Integer(1) << format.fraction_bits;
@@ -102,7 +102,7 @@ TEST(Formats, ProductTiesAreTies) {
   }
 }
 
-TEST(Formats, QuotientTiesAreTies) {
+TEST(VerifyFormats, QuotientTiesAreTies) {
   for (const cases::Format& format : formats()) {
     const cases::Variant v = in_format(Operation::div, format);
     const Integer one = Integer(1) << format.fraction_bits;
@@ -124,7 +124,7 @@ TEST(Formats, QuotientTiesAreTies) {
 
 // Up to 1.0, whose root is exact, the roots lie closer together than the operands, so few operands
 // are that near.
-TEST(Formats, RootTiesAbove1AreBesideAHalf) {
+TEST(VerifyFormats, RootTiesAbove1AreBesideAHalf) {
   for (const cases::Format& format : formats()) {
     const int bits = format.word_bits - (format.is_signed ? 1 : 0);
     const Integer one = Integer(1) << format.fraction_bits;
@@ -154,7 +154,7 @@ TEST(Formats, RootTiesAbove1AreBesideAHalf) {
   }
 }
 
-TEST(Formats, AreThoseOfTheType) {
+TEST(VerifyFormats, AreThoseOfTheType) {
   std::ifstream file(paths::source("fixed/formats.hpp"));
   std::stringstream text;
   text << file.rdbuf();
@@ -176,7 +176,7 @@ TEST(Formats, AreThoseOfTheType) {
   EXPECT_FALSE(parties::party_named("type").answers(in_format(Operation::mul, {32, 5, true})));
 }
 
-TEST(Formats, PartiesAgreeOnEveryOperation) {
+TEST(VerifyFormats, PartiesAgreeOnEveryOperation) {
   constexpr std::array names{"oracle", "fast", "type"};
   for (const cases::Format& format : formats()) {
     for (const Operation operation :
@@ -205,7 +205,7 @@ TEST(Formats, PartiesAgreeOnEveryOperation) {
 
 // Where a plan has no ties of quotients, no pair of words has one, but for the most negative
 // divisor.
-TEST(Formats, BytesWithoutQuotientTiesHaveNone) {
+TEST(VerifyFormats, BytesWithoutQuotientTiesHaveNone) {
   for (const char* name : {"q2_6", "q1_7", "q0_8", "u1_7", "u0_8", "q3_5", "u4_4"}) {
     const cases::Format format = cases::format_named(name);
     const Integer one = Integer(1) << format.fraction_bits;
@@ -222,14 +222,14 @@ TEST(Formats, BytesWithoutQuotientTiesHaveNone) {
   }
 }
 
-TEST(Formats, HaveNoOtherNames) {
+TEST(VerifyFormats, HaveNoOtherNames) {
   for (const char* name : {"", "q", "q16", "q16_", "_16", "q16_17", "q016_16", "Q16_16", "s16_16",
                            "q16_16 ", "q-1_9", "q8_8_8", "q100_28", "q1.5_2"}) {
     EXPECT_THROW(static_cast<void>(cases::format_named(name)), support::UsageError) << name;
   }
 }
 
-TEST(Formats, LevelThreeTriesWhatCanBeTried) {
+TEST(VerifyFormats, LevelThreeTriesWhatCanBeTried) {
   const auto tried = [](cases::Operation operation, const char* format) {
     return cases::can_be_exhausted(in_format(operation, cases::format_named(format)));
   };
@@ -331,7 +331,7 @@ INSTANTIATE_TEST_SUITE_P(
         Known{"u0_32", Operation::hypot3, "90000000 70000000 60000000", "ce2544b5"},
         Known{"q4_4", Operation::hypot3, "80 00 00", "7f"}));
 
-TEST(Formats, OperandsInDecimalAreExact) {
+TEST(VerifyFormats, OperandsInDecimalAreExact) {
   const auto text = [](const char* format, const char* hex) {
     const cases::Variant v = in_format(Operation::sqrt, cases::format_named(format));
     std::vector<std::uint32_t> words(cases::words_in(v));
