@@ -18,8 +18,8 @@ class Killed : public std::runtime_error {
 };
 
 struct Output {
-  std::string out;
-  std::string err;
+  std::string out{};
+  std::string err{};
   int status = 0;       ///< the exit status
   bool in_time = true;  ///< if false, the program was killed and its output may be incomplete
 };

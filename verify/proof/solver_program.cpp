@@ -26,6 +26,9 @@ constexpr seconds version_limit{10};
 /// A solver enforces its time limit itself. If it does not, it is killed this much later.
 constexpr seconds grace{2};
 
+/// What a solver prints after each answer of ask_in_one_run(); cvc5 prints it in quotes.
+constexpr std::string_view end_of_answer = "end of an answer";
+
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// The first line of its output, or of its error output.
@@ -99,27 +102,12 @@ SolverAnswer SolverProgram::ask(const std::string& script, int max_seconds,
 
 std::vector<SolverAnswer> SolverProgram::ask_in_one_run(std::span<const std::string> scripts,
                                                         int max_seconds) const {
-  constexpr std::string_view end_of_answer = "end of an answer";  // cvc5 prints it in quotes
   std::string all;
   for (const std::string& script : scripts) {
     all += fmt::format("{}(echo \"{}\")\n(reset)\n", script, end_of_answer);
   }
   try {
-    const Output output = output_for(name_, max_seconds, all, never_cancelled);
-    if (!output.in_time || output.status != 0) return {};
-    std::vector<SolverAnswer> answers;
-    std::string_view rest = output.out;
-    for (const std::string& script : scripts) {
-      const std::size_t end = rest.find(end_of_answer);
-      if (end == std::string_view::npos) return {};
-      const std::size_t line = rest.rfind('\n', end) + 1;  // 0 if there is no answer
-      Output one;
-      one.out = rest.substr(0, line);
-      answers.push_back(answer_in(one, name_, script));
-      const std::size_t next = rest.find('\n', end);
-      rest = next == std::string_view::npos ? std::string_view() : rest.substr(next + 1);
-    }
-    return answers;
+    return answers_in(output_for(name_, max_seconds, all, never_cancelled), name_, scripts);
   } catch (const SolverError&) {
     return {};
   }
@@ -137,6 +125,24 @@ SolverAnswer SolverProgram::ask_together(std::span<const std::string> scripts,
   if (are_all_unsatisfiable) answer.verdict = Satisfiability::unsatisfiable;
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return answer;
+}
+
+std::vector<SolverAnswer> answers_in(const Output& output, const std::string& name,
+                                     std::span<const std::string> scripts) {
+  if (!output.in_time || output.status != 0) return {};
+  std::vector<SolverAnswer> answers;
+  std::string_view rest = output.out;
+  for (const std::string& script : scripts) {
+    const std::size_t end = rest.find(end_of_answer);
+    if (end == std::string_view::npos) return {};
+    const std::size_t line = rest.rfind('\n', end) + 1;  // 0 if there is no answer
+    Output one;
+    one.out = rest.substr(0, line);
+    answers.push_back(answer_in(one, name, script));
+    const std::size_t next = rest.find('\n', end);
+    rest = next == std::string_view::npos ? std::string_view() : rest.substr(next + 1);
+  }
+  return answers;
 }
 
 SolverAnswer answer_in(const Output& output, const std::string& name, const std::string& script) {

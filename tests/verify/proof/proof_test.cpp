@@ -78,6 +78,26 @@ TEST(Proof, QuestionsInOneRunHaveTheirOwnAnswers) {
   EXPECT_TRUE(solver.ask_in_one_run(std::vector<std::string>{never, "(assert", never}, 60).empty());
 }
 
+TEST(Proof, AReplyInOneRunThatIsCutHasNoAnswers) {
+  const std::vector<std::string> scripts(3, proof::lemmas().front().smt);
+  const auto count = [&](const std::string& said) {
+    return proof::answers_in({.out = said}, "cvc5", scripts).size();
+  };
+  const std::string one = "unsat\n\"end of an answer\"\n";
+  EXPECT_EQ(count(one + one + one), 3U);
+  EXPECT_EQ(count(one + one + "unsat\nend of an answer"), 3U);
+  EXPECT_EQ(count(one + one), 0U);
+  EXPECT_EQ(count(one + "unsat\n\"end of an answer"), 0U);
+  EXPECT_EQ(count(one + one + "unsat\n\"end of an ans"), 0U);
+  EXPECT_EQ(count(""), 0U);
+  // An answer that is missing is not that of the next question.
+  EXPECT_THROW(count(one + "end of an answer\n" + one), proof::SolverError);
+  EXPECT_THROW(count(one + "unsat end of an answer\n" + one), proof::SolverError);
+  const std::string all = one + one + one;
+  EXPECT_TRUE(proof::answers_in({.out = all, .status = 1}, "cvc5", scripts).empty());
+  EXPECT_TRUE(proof::answers_in({.out = all, .in_time = false}, "cvc5", scripts).empty());
+}
+
 std::vector<std::string> answers(const std::vector<std::string>& scripts) {
   std::string all;
   for (const std::string& script : scripts) all += script + "(reset)\n";
