@@ -7,16 +7,27 @@ if(NOT status EQUAL 0)
   message(FATAL_ERROR "${program} does not list its tests (${status}):\n${said}")
 endif()
 string(REGEX MATCHALL "(^|\n)[^ \n][^ \n]*\\." suites "${said}")
-list(TRANSFORM suites STRIP)
-# `Suite/0.` and `Suite/1.` are of two types.
-list(TRANSFORM suites REPLACE "(/[0-9]+)?\\.$" "")
-list(REMOVE_DUPLICATES suites)
+if(NOT suites)
+  message(FATAL_ERROR "${program} lists no tests")
+endif()
+
+set(names "")
+foreach(suite IN LISTS suites)
+  string(STRIP "${suite}" suite)
+  # `Suite/0.` and `Suite/1.` are of two types.
+  string(REGEX REPLACE "(/[0-9]+)?\\.$" "" name "${suite}")
+  list(APPEND names ${name})
+  list(APPEND filter_of_${name} ${suite}*)
+endforeach()
+list(REMOVE_DUPLICATES names)
 
 get_filename_component(results ${listing} DIRECTORY)
 set(lines "")
-foreach(suite IN LISTS suites)
-  string(REPLACE "/" "-" file "${prefix}${suite}")
-  string(APPEND lines "add_test([==[${prefix}${suite}]==] [==[${program}]==] [==[--gtest_filter=${suite}.*:${suite}/*-${without}]==]"
-    " [==[--gtest_output=xml:${results}/${file}.xml]==])\n")
+foreach(name IN LISTS names)
+  string(REPLACE "/" "-" file "${prefix}${name}")
+  list(JOIN filter_of_${name} ":" filter)
+  string(APPEND lines "add_test([==[${prefix}${name}]==] [==[${program}]==] [==[--gtest_filter=${filter}-${without}]==]"
+    " [==[--gtest_output=xml:${results}/${file}.xml]==])\n"
+    "set_tests_properties([==[${prefix}${name}]==] PROPERTIES TIMEOUT 3600)\n")
 endforeach()
 file(WRITE ${listing} "${lines}")
