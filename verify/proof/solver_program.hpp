@@ -76,9 +76,9 @@ class SolverProgram {
 /// @throws SolverError as SolverProgram::ask() does
 SolverAnswer answer_in(const Output& output, const std::string& name, const std::string& script);
 
-/// Judges what it printed about several scripts in one run, with the line "end of an answer" after
-/// each answer.
-/// @return an answer for each; none if it did not end well, or if a line is missing
+/// Judges what the solver `name` printed about several scripts in one run, with the line "end of an
+/// answer" after each answer.
+/// @return an answer for each; none if the solver failed or was late, or if a line is missing
 /// @throws SolverError as answer_in() does
 std::vector<SolverAnswer> answers_in(const Output& output, const std::string& name,
                                      std::span<const std::string> scripts);

@@ -90,7 +90,7 @@ TEST(Proof, AReplyInOneRunThatIsCutHasNoAnswers) {
   EXPECT_EQ(count(one + "unsat\n\"end of an answer"), 0U);
   EXPECT_EQ(count(one + one + "unsat\n\"end of an ans"), 0U);
   EXPECT_EQ(count(""), 0U);
-  // An answer that is missing is not that of the next question.
+  // The next answer is not taken for a missing one.
   EXPECT_THROW(count(one + "end of an answer\n" + one), proof::SolverError);
   EXPECT_THROW(count(one + "unsat end of an answer\n" + one), proof::SolverError);
   const std::string all = one + one + one;
