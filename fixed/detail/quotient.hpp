@@ -150,20 +150,23 @@ template <rounding Rounding, int Shift>
 inline double quotient_sum(std::int32_t numerator, std::int32_t divisor) noexcept {
   constexpr double scale = std::int64_t{1} << Shift;
 #if defined(__SSE4_1__)
-  // Vector registers replace a 0 and scale with the least work here. The scale is a power of two,
+  // Vector registers replace a 0 with the least work here. With FMA, compilers fuse the scaling of
+  // the quotient with the sum; clang++ needs both in one expression. The scale is a power of two,
   // so it rounds nothing.
   const auto d = static_cast<double>(divisor);
-  const double q = static_cast<double>(numerator) / (d + (d == 0 ? 1.0 : 0.0)) * scale;
+  const double q = static_cast<double>(numerator) / (d + (d == 0 ? 1.0 : 0.0));
+  constexpr double unit = scale;
 #else
   const double q =
       static_cast<double>(numerator) * scale / static_cast<double>(one_for_zero(divisor));
+  constexpr double unit = 1;
 #endif
   if constexpr (Rounding == rounding::half_up) {
-    return q + 0.5;
+    return q * unit + 0.5;
   } else if constexpr (Rounding == rounding::half_away) {
-    return q + copysign(0.5, q);
+    return q * unit + copysign(0.5, q);
   } else {
-    return q;
+    return q * unit;
   }
 }
 

@@ -190,12 +190,24 @@ struct divisor_lanes {
   f64 value;        ///< 1 for 0
 };
 
+/// The lesser of two integers in each lane, taken as unsigned.
+FIXED_LANE_FUNCTION half_i32 lesser(half_i32 a, half_i32 b) {
+  return half_i32(half_u32(a) < half_u32(b) ? half_u32(a) : half_u32(b));
+}
+
+/// What the policy divides by.
 template <class Number>
-FIXED_LANE_FUNCTION divisor_lanes divisor_of(half_i32 d) {
+FIXED_LANE_FUNCTION half_i32 used_part(half_i32 d) {
   constexpr int Point = Number::fraction_bits;
   if constexpr (Number::rules.divisor == divisor_width::whole_part) {
     d = (d + ((d >> 31) & ((1 << Point) - 1))) >> Point;
   }
+  return d;
+}
+
+template <class Number>
+FIXED_LANE_FUNCTION divisor_lanes divisor_of(half_i32 d) {
+  d = used_part<Number>(d);
   const half_i32 are_zero = half_i32(d == 0);
   return {zero_bits(d), are_zero, d, doubles(d - are_zero)};
 }
@@ -213,14 +225,15 @@ FIXED_LANE_FUNCTION f64 with_sign_of(f64 magnitude, f64 sign) {
 template <rounding Rounding, int Shift>
 FIXED_LANE_FUNCTION f64 sum_before_rounding(f64 numerator, f64 divisor) {
   constexpr double scale = std::int64_t{1} << Shift;
-  // Scaling is exact. Some compilers fuse it with the sum.
-  const f64 q = numerator / divisor * scale;
+  // Scaling is exact. Where one instruction multiplies and adds (AVX-512, NEON), compilers fuse it
+  // with the sum; clang++ does so only within an expression.
+  const f64 q = numerator / divisor;
   if constexpr (Rounding == rounding::half_up) {
-    return q + 0.5;
+    return q * scale + 0.5;
   } else if constexpr (Rounding == rounding::half_away) {
-    return q + with_sign_of(f64{} + 0.5, q);
+    return q * scale + with_sign_of(f64{} + 0.5, q);
   } else {
-    return q;
+    return q * scale;
   }
 }
 

@@ -13,11 +13,12 @@
 ///     static bool is_clean(check);              // whether all results are right and have no fault
 ///     void note(std::size_t i, part, fault_recorder&) const;  // computes, stores, records faults
 ///
-/// An operation that divides also has zeros(), which is asked before at(), so that no lane divides
-/// by zero. An operation whose output is never an input has stores_first. It stores before it asks
-/// is_clean():
+/// An operation that divides also has zeros() and, for four blocks, have_zero(). One of them is
+/// asked before at(), so that no lane divides by zero. An operation whose output is never an input
+/// has stores_first. It stores before it asks is_clean():
 ///
 ///     std::uint32_t zeros(std::size_t i, part) const;  // a bit for each zero divisor
+///     bool have_zero(std::size_t i) const;
 ///     static constexpr bool stores_first;              // true
 ///
 /// An operation may return from half() one for spans of at most half a block, which has number,
@@ -37,14 +38,11 @@
 #if defined(FIXED_LANES)
 namespace fixproof::detail::FIXED_LANES {
 
-/// Whether no divisor of some blocks is zero. They begin at the elements `i`.
-template <class Operation, class Part, class... Indices>
-FIXED_LANE_FUNCTION bool has_no_zeros(const Operation& operation, Part part, Indices... i) {
-  if constexpr (requires { (... | operation.zeros(i, part)); }) {
-    return (... | operation.zeros(i, part)) == 0;
-  } else {
-    return true;
-  }
+/// Whether no divisor of a block is zero.
+template <class Operation, class Part>
+FIXED_LANE_FUNCTION bool has_no_zeros(const Operation& operation, std::size_t i, Part part) {
+  if constexpr (requires { operation.zeros(i, part); }) return operation.zeros(i, part) == 0;
+  return true;
 }
 
 /// Computes a block, and stores it unless it may have a fault. noted_blocks() computes such a block
@@ -52,7 +50,7 @@ FIXED_LANE_FUNCTION bool has_no_zeros(const Operation& operation, Part part, Ind
 /// @return whether the block is stored
 template <class Operation, class Part>
 FIXED_LANE_FUNCTION bool clean_block(const Operation& operation, std::size_t i, Part part) {
-  if (!has_no_zeros(operation, part, i)) [[unlikely]] {
+  if (!has_no_zeros(operation, i, part)) [[unlikely]] {
     return false;
   }
   typename Operation::check seen{};
@@ -118,9 +116,10 @@ FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::si
     }
   } else if constexpr (Operation::in_groups) {
     for (; end - i >= 4 * size; i += 4 * size) {
-      if (!has_no_zeros(operation, whole_block{}, i, i + size, i + 2 * size, i + 3 * size))
-          [[unlikely]] {
-        return i;
+      if constexpr (requires { operation.zeros(i, whole_block{}); }) {
+        if (operation.have_zero(i)) [[unlikely]] {
+          return i;
+        }
       }
       typename Operation::check seen{};
       const auto first = operation.at(i, whole_block{}, seen);
@@ -165,7 +164,7 @@ FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size
     // block is computed first.
     const std::size_t last = count - size;
     const std::size_t end = i + (count - i - 1) / size * size;
-    if (!has_no_zeros(operation, whole_block{}, last)) [[unlikely]] {
+    if (!has_no_zeros(operation, last, whole_block{})) [[unlikely]] {
       return clean_blocks(operation, i, end);
     }
     typename Operation::check seen{};

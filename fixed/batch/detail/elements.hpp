@@ -65,6 +65,15 @@ struct quotient_blocks {
   [[nodiscard]] FIXED_LANE_FUNCTION std::uint32_t zeros(std::size_t i, Part part) const {
     return divisor(i, part).zeros;
   }
+  /// Whether a divisor of four blocks is zero.
+  [[nodiscard]] FIXED_LANE_FUNCTION bool have_zero(std::size_t i) const {
+    const half_i32 first = lesser(used(i), used(i + size));
+    const half_i32 second = lesser(used(i + 2 * size), used(i + 3 * size));
+    return zero_bits(lesser(first, second)) != 0;
+  }
+  [[nodiscard]] FIXED_LANE_FUNCTION half_i32 used(std::size_t i) const {
+    return used_part<Number>(load_half<Number>(d, i, whole_block{}));
+  }
   /// @pre zeros() is 0
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION half_i32 at(std::size_t i, Part part,

@@ -23,6 +23,7 @@ using u64 [[gnu::vector_size(FIXED_LANE_BYTES)]] = std::uint64_t;
 using f64 [[gnu::vector_size(FIXED_LANE_BYTES)]] = double;
 using f32 [[gnu::vector_size(FIXED_LANE_BYTES)]] = float;
 using half_i32 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int32_t;
+using half_u32 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::uint32_t;
 using narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 2)]] = std::int16_t;
 using half_narrow_i16 [[gnu::vector_size(FIXED_LANE_BYTES / 4)]] = std::int16_t;
 

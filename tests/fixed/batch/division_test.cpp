@@ -61,6 +61,33 @@ INSTANTIATE_TEST_SUITE_P(OfEachType, Quotients,
 
 TEST_P(Quotients, EveryLength) { check_every_length(GetParam().divide); }
 
+TEST_P(Quotients, OneZeroIsFoundAtEveryPlace) {
+  const Operation& divide = GetParam().divide;
+  constexpr std::size_t count = 70;
+  const Words n(count, 1);
+  // Above 0 in every format, and so is its whole part where a policy divides by that.
+  const Word usual = Word{1} << (divide.type.bits() - 2);
+  for (std::size_t at = 0; at < count; ++at) {
+    Words d(count, usual);
+    d[at] = 0;
+    Wanted want;
+    for (std::size_t i = 0; i < count; ++i) want.push_back(divide.one(n[i], d[i], 0));
+    ASSERT_EQ(want.faults[at], Fault::divide_error);
+    const Column ns(divide.type, n);
+    const Column ds(divide.type, d);
+    for (const auto path : paths()) {
+      Column out(divide.type, count);
+      Marked marked(count);
+      const auto report =
+          divide.many(ns.at(0), ds.at(0), nullptr, out.at(0), count, marked.how(path));
+      SCOPED_TRACE(testing::Message() << "zero at " << at << ", path " << static_cast<int>(path));
+      ASSERT_TRUE(same(out, Column(divide.type, want.raw)));
+      marked.check(report, want.faults);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
 TEST_P(Quotients, AreExactInEveryRoundingMode) {
   const Operation& divide = GetParam().divide;
   Words n;
