@@ -13,6 +13,7 @@ import json
 import os
 import re
 import shutil
+import statistics
 import subprocess
 import sys
 import time
@@ -26,9 +27,10 @@ COMPILERS = ("g++", "clang++-14")
 FLAGS = ("-O2", "-O3 -march=native")
 # Else a loop over std::sqrt checks for errors, on either side.
 COMMON_FLAGS = "-fno-math-errno"
-# Another user of a shared machine slows one contender for seconds. Many short passes find a time without them for each.
-PASSES = 6
-ROUNDS = 8
+# Where the data of a process lies changes a short span by a clock cycle, and another user of a shared machine slows one
+# contender for seconds. The median of many short passes, each a process, has neither.
+PASSES = 11
+ROUNDS = 5
 
 
 class Failed(Exception):
@@ -67,17 +69,17 @@ def results(program, options):
 
 
 def merge(passes):
-    """The least time and the largest error of each contender. A contender's error in one cell holds for all cells of
-    the operation: a chain, for example, meets few operands."""
-    best, errors = {}, {}
+    """The median time of the passes and the largest error of each contender. A contender's error in one cell holds for
+    all cells of the operation: a chain, for example, meets few operands."""
+    times, errors = {}, {}
     for one in passes:
         for r in one:
             key = (r["operation"], r["shape"], r["elements"], r["offset"], r["name"])
-            if key not in best or r["ns"] < best[key]["ns"]:
-                best[key] = r
+            times.setdefault(key, []).append(r)
             who = (r["operation"], r["name"])
             errors[who] = max(errors.get(who, 0), r["error"])
-    return [{**r, "error": errors[r["operation"], r["name"]]} for r in best.values()]
+    return [{**of[0], "error": errors[of[0]["operation"], of[0]["name"]], "ns": statistics.median(r["ns"] for r in of)}
+            for of in times.values()]
 
 
 def check_ours(build_name, merged):
