@@ -57,16 +57,6 @@
 
 namespace fixproof::detail {
 
-/// Up to this many products are faster one by one. clang tests the range of each in a branch.
-template <overflow range>
-inline constexpr std::size_t few_products = range != overflow::wrap&& loops_in_vectors ? 2 : 4;
-
-/// What run_batch() computes first. With a report of overflows, g++ 12 saves registers before it
-/// knows that a span is short.
-template <overflow range>
-using blocks_of_products =
-    std::conditional_t<range == overflow::wrap || loops_in_vectors, all_blocks, few_blocks>;
-
 /// The dot product of at least one number, on a path.
 template <class Number>
 FIXED_ALWAYS_INLINE Number dot_in_blocks(const Number* x, const Number* y, std::size_t count,
@@ -111,9 +101,7 @@ multiply(const First& a, const Second& b, Out&& out,
          const options& how = {}) noexcept(detail::element_t<First>::multiply_never_throws) {
   using Number = detail::element_t<First>;
   const std::size_t count = detail::batch_length(how, a, b, out);
-  constexpr overflow range = Number::rules.product_range();
-  return detail::run_batch<detail::few_products<range>, detail::has_lanes<Number>, range,
-                           divide_fault::none, detail::blocks_of_products<range>>(
+  return detail::run_products<detail::has_lanes<Number>>(
       "multiply", how, count,
       [](auto on, auto... args) FIXED_INLINE {
         return on.template run<typename decltype(on)::template products<Number>>(args...);
@@ -133,9 +121,7 @@ mul_add(const First& a, const Second& b, const Third& c, Out&& out,
         const options& how = {}) noexcept(detail::element_t<First>::multiply_never_throws) {
   using Number = detail::element_t<First>;
   const std::size_t count = detail::batch_length(how, a, b, c, out);
-  constexpr overflow range = Number::rules.product_range();
-  return detail::run_batch<detail::few_products<range>, detail::has_mul_add_lanes<Number>, range,
-                           divide_fault::none, detail::blocks_of_products<range>>(
+  return detail::run_products<detail::has_mul_add_lanes<Number>>(
       "mul_add", how, count,
       [](auto on, auto... args) FIXED_INLINE {
         return on.template run<typename decltype(on)::template mul_adds<Number>>(args...);

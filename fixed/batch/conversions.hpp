@@ -62,10 +62,8 @@ template <detail::number_range Xs, detail::float_output Out>
 FIXED_ALWAYS_INLINE void to_floats(const Xs& x, Out&& out, path use = path::fastest) noexcept {
   using Number = detail::element_t<Xs>;
   using Float = detail::element_t<Out>;
-  constexpr std::size_t few = detail::sure_of_masks ? 0 : detail::loops_in_vectors ? 16 : 4;
-  (void)detail::run_batch<few, detail::has_float_lanes<Number>, overflow::wrap, divide_fault::none,
-                          detail::all_blocks>(
-      "to_floats", {.use = use}, detail::shortest(x, out),
+  detail::run_faultless<detail::has_float_lanes<Number>>(
+      use, detail::shortest(x, out),
       [](auto on, auto... args) FIXED_INLINE {
         return on.template run<typename decltype(on)::template to_floats<Number, Float>>(args...);
       },

@@ -29,15 +29,15 @@ inline constexpr bool has_vector_conversion =
 /// lowest bit is arbitrary. It works in every rounding mode of the processor.
 template <class Number, binary_float Float>
 std::uint64_t placed_ulps(Float x) noexcept {
-  constexpr double half_ulps = std::int64_t{2} << Number::fraction_bits;
-  return placed_floor<1>(static_cast<double>(x) * half_ulps);
+  return placed_floor<1, Number::fraction_bits + 1>(static_cast<double>(x));
 }
 
 /// x in ulps, rounded half up, if that is below 2^49 in magnitude. Larger x, infinities and NaN
 /// give a word of at least 2^48 in magnitude.
 template <class Number, binary_float Float>
 std::int64_t rounded_ulps(Float x) noexcept {
-  return static_cast<std::int64_t>(placed_ulps<Number>(x) - place_of_floors) >> 1;
+  constexpr std::uint64_t place = place_of_floors<Number::fraction_bits + 1>;
+  return static_cast<std::int64_t>(placed_ulps<Number>(x) - place) >> 1;
 }
 
 }  // namespace fixproof::detail

@@ -170,34 +170,61 @@ inline double quotient_sum(std::int32_t numerator, std::int32_t divisor) noexcep
   }
 }
 
-/// The bits of 1.5 * 2^52, which placed_floor() adds to a floor.
-inline constexpr std::uint64_t place_of_floors = 0x4338'0000'0000'0000;
+// Whether the compiler has instructions for floors, or for neighbours in the current mode.
+#if defined(__SSE4_1__) && defined(__GNUC__) || defined(__clang__) && defined(__aarch64__)
+#define FIXED_ROUNDS_DOUBLES true
+#else
+#define FIXED_ROUNDS_DOUBLES false
+#endif
 
-/// The bits of the double 1.5 * 2^52 + floor(x) + Plus, for |x| < 2^50. Its low bits are those of
-/// floor(x) + Plus. For other x and for NaN, the bits differ from place_of_floors by at least
-/// 2^50 - 1.
+/// The double to which placed_floor<Plus, Shift>() adds.
+template <int Shift>
+inline constexpr double base_of_floors = 0x1.8p52 /
+                                         static_cast<double>(std::int64_t{1}
+                                                             << (FIXED_ROUNDS_DOUBLES ? 0 : Shift));
+
+/// Its bits. The low 51 are zero.
+template <int Shift>
+inline constexpr auto place_of_floors = bit_cast<std::uint64_t>(base_of_floors<Shift>);
+
+/// place_of_floors + floor(x 2^Shift) + Plus, if that floor is below 2^50 in magnitude. For other x
+/// and for NaN, differs from place_of_floors by at least 2^50 - 1.
 ///
 /// It works in every rounding mode of the processor. It has no branch and no 64-bit conversion,
 /// which SSE2 has only for scalars, so compilers vectorise it.
-template <int Plus>
+template <int Plus, int Shift = 0>
 inline std::uint64_t placed_floor(double x) noexcept {
   static_assert(Plus == 0 || Plus == 1);
-  constexpr double ones = 0x1.8p52;
-  static_assert(bit_cast<std::uint64_t>(ones) == place_of_floors);
-#if defined(__clang__) && (defined(__SSE4_1__) || defined(__aarch64__))
-  return bit_cast<std::uint64_t>(__builtin_floor(x) + (ones + Plus));
-#elif defined(__SSE4_1__) && defined(__GNUC__)
+  constexpr double base = base_of_floors<Shift>;
+#if FIXED_ROUNDS_DOUBLES
+  x *= static_cast<double>(std::int64_t{1} << Shift);
+#if defined(__clang__)
+  return bit_cast<std::uint64_t>(__builtin_floor(x) + (base + Plus));
+#else
   // g++ 12 vectorises no floor. The mode decides whether this is the floor or the ceiling of x.
   const double neighbour = __builtin_rint(x);
-  return bit_cast<std::uint64_t>(neighbour + (x < neighbour ? ones + (Plus - 1) : ones + Plus));
+  return bit_cast<std::uint64_t>(neighbour + (x < neighbour ? base + (Plus - 1) : base + Plus));
+#endif
 #else
-  // The last bit of the sum has weight one, so the sum less `ones` is the floor or the ceiling,
+  // The last bit of the sum has weight 2^-Shift, so the sum less the base is a floor or a ceiling,
   // too.
-  const double placed = x + ones;
-  const auto bits = bit_cast<std::uint64_t>(placed) + std::uint64_t{Plus};
-  return x < placed - ones ? bits - 1 : bits;
+  const double sum = x + base;
+#if defined(__clang__)
+  const std::uint64_t above = bit_cast<std::uint64_t>(sum) + Plus;
+  return x < sum - base ? above - 1 : above;
+#else
+  // In doubles, because g++ -O2 vectorises no loop of unknown length, and a scalar reaches an
+  // integer register late.
+  constexpr double unit = base * 0x1p-52 / 1.5;
+  if constexpr (Plus == 0) {
+    return bit_cast<std::uint64_t>(sum - (x < sum - base ? unit : 0.0));
+  } else {
+    return bit_cast<std::uint64_t>(sum + (sum - base <= x ? unit : 0.0));
+  }
+#endif
 #endif
 }
+#undef FIXED_ROUNDS_DOUBLES
 
 /// Whether rule Rounding is a floor after adding the half; otherwise it is a trunc.
 template <rounding Rounding>
@@ -214,7 +241,7 @@ constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t div
       // At most 2^47 and a half.
       const double sum = quotient_sum<Rounding, Shift>(numerator, divisor);
       if constexpr (rounds_by_floor<Rounding>) {
-        return static_cast<std::int64_t>(placed_floor<0>(sum) - place_of_floors);
+        return static_cast<std::int64_t>(placed_floor<0>(sum) - place_of_floors<0>);
       } else {
         return static_cast<std::int64_t>(sum);
       }

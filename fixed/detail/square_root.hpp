@@ -133,9 +133,16 @@ constexpr auto nearest_root(Raw raw) noexcept {
   if constexpr (has_fast_root<Raw, FractionBits>) {
     if constexpr (hardware_double) {
       if (!std::is_constant_evaluated()) {
-        constexpr double units = std::int64_t{1} << FractionBits;
+#if defined(__FMA__) || defined(__aarch64__)
+        // Compilers fuse a product with the sum, so it gets the root of an even power of two.
+        constexpr int later = FractionBits / 2;
+#else
+        constexpr int later = 0;
+#endif
+        constexpr double before = std::int64_t{1} << (FractionBits - 2 * later);
+        constexpr double after = std::int64_t{1} << later;
         // NOLINTNEXTLINE(bugprone-incorrect-roundings): right, as proven above
-        return std::int64_t{static_cast<std::int32_t>(sqrt(raw * units) + 0.5)};
+        return std::int64_t{static_cast<std::int32_t>(sqrt(raw * before) * after + 0.5)};
       }
     }
     constexpr int odd = FractionBits % 2;

@@ -27,9 +27,10 @@ COMPILERS = ("g++", "clang++-14")
 FLAGS = ("-O2", "-O3 -march=native")
 # Else a loop over std::sqrt checks for errors, on either side.
 COMMON_FLAGS = "-fno-math-errno"
-# Where the data of a process lies changes a short span by a clock cycle, and another user of a shared machine slows one
-# contender for seconds. The median of many short passes, each a process, has neither.
-PASSES = 11
+# Where its code and its data lie changes the time of a short span by a clock cycle, for ours and for peers. So each pass is
+# a process, of a program whose code lies elsewhere. Another user of a shared machine slows one contender for seconds, so
+# only the middle half of the passes counts.
+PASSES = 12
 ROUNDS = 5
 
 
@@ -53,23 +54,30 @@ def run(command, log):
 
 
 def build(compiler, flags):
-    """Builds one program. Returns its path and the peers that are not installed."""
+    """Builds one program, with its code in PASSES places. Returns the paths and the peers that are not installed."""
     folder = os.path.join(WORK, re.sub(r"[^\w+]+", "-", f"{compiler}{flags}"))
     os.makedirs(folder, exist_ok=True)
     log = folder + ".log"
-    options = ("CMAKE_BUILD_TYPE=", f"CMAKE_CXX_COMPILER={compiler}", f"CMAKE_CXX_FLAGS={flags} {COMMON_FLAGS}")
+    options = ("CMAKE_BUILD_TYPE=", f"CMAKE_CXX_COMPILER={compiler}", f"CMAKE_CXX_FLAGS={flags} {COMMON_FLAGS}",
+               f"FAIR_PLACES={PASSES}")
     said = run(["cmake", "-S", os.path.join(ROOT, "measure", "bench", "fair"), "-B", folder, "-G", "Ninja",
                 *(f"-D{option}" for option in options)], log)
     run(["cmake", "--build", folder], log)
-    return os.path.join(folder, "fair"), re.findall(r"fair: without (\S+),", said)
+    return [os.path.join(folder, f"fair_{place}") for place in range(PASSES)], re.findall(r"fair: without (\S+),", said)
 
 
 def results(program, options):
     return [json.loads(line) for line in run([program, *options], program + ".log").splitlines()]
 
 
+def middle(times):
+    """The mean of the middle half of the times."""
+    quarter = len(times) // 4
+    return statistics.fmean(sorted(times)[quarter : len(times) - quarter])
+
+
 def merge(passes):
-    """The median time of the passes and the largest error of each contender. A contender's error in one cell holds for
+    """The middle() time of the passes and the largest error of each contender. A contender's error in one cell holds for
     all cells of the operation: a chain, for example, meets few operands."""
     times, errors = {}, {}
     for one in passes:
@@ -78,7 +86,7 @@ def merge(passes):
             times.setdefault(key, []).append(r)
             who = (r["operation"], r["name"])
             errors[who] = max(errors.get(who, 0), r["error"])
-    return [{**of[0], "error": errors[of[0]["operation"], of[0]["name"]], "ns": statistics.median(r["ns"] for r in of)}
+    return [{**of[0], "error": errors[of[0]["operation"], of[0]["name"]], "ns": middle([r["ns"] for r in of])}
             for of in times.values()]
 
 
@@ -138,7 +146,7 @@ def measure(quick):
         name = list(programs)[done % len(programs)]
         left = f"about {(time.monotonic() - before) / done * (total - done):.0f} s left" if done else "half a minute each"
         say(f"timing {done + 1} of {total}: {name}, {left}")
-        passes[name].append(results(programs[name], options))
+        passes[name].append(results(programs[name][len(passes[name])], options))
     merged = {name: merge(all_passes) for name, all_passes in passes.items()}
     right = all([check_ours(name, rows) for name, rows in merged.items()])
     if not right:

@@ -95,8 +95,8 @@ FIXED_LANE_FUNCTION void stored_blocks(const Operation& operation, std::size_t i
   store<number>(operation.out, i + 3 * size, fourth);
 }
 
-/// Computes blocks from `i` up to `end`, or up to some, those of four registers at most, that may
-/// have a fault.
+/// Computes whole blocks from `i` on, up to the last that ends at or before `end`, or up to some,
+/// those of four registers at most, that may have a fault.
 /// @return the first element that is left
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::size_t i,
@@ -114,6 +114,7 @@ FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::si
         return i;
       }
     }
+    if (i == end) return i;  // at once, because each jump on the way takes a cycle
   } else if constexpr (Operation::in_groups) {
     for (; end - i >= 4 * size; i += 4 * size) {
       if constexpr (requires { operation.zeros(i, whole_block{}); }) {
@@ -134,8 +135,9 @@ FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::si
       store<number>(operation.out, i + 2 * size, third);
       store<number>(operation.out, i + 3 * size, fourth);
     }
+    if (i == end) return i;
   }
-  for (; i != end; i += size) {
+  for (; end - i >= size; i += size) {
     if (!clean_block(operation, i, whole_block{})) [[unlikely]] {
       return i;
     }
@@ -154,9 +156,12 @@ FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size
     if (!Operation::is_exact()) return i;
   }
   if constexpr (has_masks) {
-    const std::size_t rest = (count - i) % size;
-    i = clean_blocks(operation, i, count - rest);
-    if (i + rest != count || rest == 0) return i;
+    i = clean_blocks(operation, i, count);
+    const std::size_t rest = count - i;
+    if (rest == 0) return count;
+    if (rest >= size) [[unlikely]] {
+      return i;
+    }
     return clean_block(operation, i, first_elements(rest)) ? count : i;
   } else {
     if (count - i < size) return i;

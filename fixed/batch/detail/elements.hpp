@@ -102,6 +102,29 @@ struct quotient_blocks {
   }
 };
 
+#if FIXED_LANE_BYTES == 64
+/// Half a block of square roots, as detail::nearest_root() does it: for so few, the root of doubles
+/// takes less time than the correction of a root of floats.
+template <class Raw, int Point>
+struct root_halves {
+  using number = Raw;
+  using check = std::uint32_t;  // the lanes with a fault
+  void* out;
+  const void* x;
+
+  template <class Part>
+  [[nodiscard]] FIXED_LANE_FUNCTION half_i32 at(std::size_t i, Part part,
+                                                std::uint32_t& errors) const {
+    const half_i32 from = load_half<Raw>(x, i, part);
+    errors = bits(from);
+    constexpr double before = 1 << Point % 2;
+    constexpr double after = 1 << Point / 2;
+    return low_words(whole<true>(root(doubles(from) * before) * after + 0.5));
+  }
+  FIXED_LANE_FUNCTION static bool is_clean(std::uint32_t errors) { return errors == 0; }
+};
+#endif
+
 template <class Raw, int Point>
 struct root_blocks {
   using number = Raw;
@@ -111,6 +134,9 @@ struct root_blocks {
   void* out;
   const void* x;
 
+#if FIXED_LANE_BYTES == 64
+  [[nodiscard]] FIXED_LANE_FUNCTION root_halves<Raw, Point> half() const { return {out, x}; }
+#endif
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION i32 at(std::size_t i, Part part, std::uint32_t& errors) const {
     return nearest_roots<Point>(load<Raw>(x, i, part), errors);

@@ -14,6 +14,9 @@ namespace fixproof::detail::FIXED_LANES {
 
 /// The loops as a type, which on_path() passes to its callable.
 struct loops {
+  /// Whether run() leaves no element if none has a fault.
+  static constexpr bool fills_spans = has_masks && has_nearest_floats;
+
   /// Computes the elements from `done` on, up to a block that may have a fault.
   /// @return the number of elements done, with those that were done before
   template <class Operation, class... Places>

@@ -135,6 +135,54 @@ FIXED_ALWAYS_INLINE std::size_t few_elements(std::size_t count, const Element& e
   }
 }
 
+/// Computes elements that have no faults: blocks in the loops On, unless On is void, and the others
+/// one by one.
+template <class On, class Blocks, class Element, class Type, class... From>
+FIXED_NOINLINE void elements_in(std::size_t count, Type* to, const From*... from) noexcept {
+  std::size_t i = 0;
+  if constexpr (!std::is_void_v<On>) i = Blocks{}(On{}, i, count, to, from...);
+  for (; i < count; ++i) to[i] = stored<Type>(Element{}(i, from...).raw);
+}
+
+/// The same on a path, without a stack: it jumps to elements_in(), or to the loop if that leaves no
+/// element.
+template <bool has, class Blocks, class Element, class Type, class... From>
+FIXED_NOINLINE void elements_on(std::size_t count, Type* to, const From*... from,
+                                batch::path use) noexcept {
+  on_path<has>(
+      use,
+      [=](auto on) FIXED_INLINE {
+        using On = decltype(on);
+        if constexpr (On::fills_spans) {
+          Blocks{}(on, std::size_t{0}, count, to, from...);
+        } else {
+          elements_in<On, Blocks, Element, Type, From...>(count, to, from...);
+        }
+      },
+      [=]()
+          FIXED_INLINE { elements_in<void, Blocks, Element, Type, From...>(count, to, from...); });
+}
+
+/// Runs a batch of elements that have no faults; see run_batch().
+template <bool has, class Blocks, class Element, class Type, class... From>
+FIXED_ALWAYS_INLINE void run_faultless(batch::path use, std::size_t count, Blocks blocks,
+                                       Element element, Type* to, const From*... from) noexcept {
+  if constexpr (has && sure_of_masks) {
+    if (use == batch::path::fastest) {
+      on_path<has>(
+          use, [&](auto on) FIXED_INLINE { return blocks(on, all_blocks{}, count, to, from...); });
+      return;
+    }
+  } else if (count - 1 < (loops_in_vectors ? 1 : 4)) [[likely]] {  // and not 0; takes no jump
+    std::size_t i = 0;
+    do {
+      to[i] = stored<Type>(element(i, from...).raw);
+    } while (++i != count);
+    return;
+  }
+  elements_on<has, Blocks, Element, Type, From...>(count, to, from..., use);
+}
+
 /// The arguments of a batch that only faults need.
 struct fault_context {
   const char* operation;
@@ -208,6 +256,24 @@ FIXED_ALWAYS_INLINE batch::report run_batch(const char* operation, const batch::
         done, end, kept..., fault_context{operation, how});
   };
   return others(count, to, from...);
+}
+
+/// Runs a batch of products, which have no faults unless the policy reports overflows.
+template <bool has, class Blocks, class Element, class Number, class... From>
+FIXED_ALWAYS_INLINE batch::report run_products(const char* operation, const batch::options& how,
+                                               std::size_t count, Blocks blocks, Element element,
+                                               Number* to, const From*... from) {
+  constexpr overflow range = Number::rules.product_range();
+  if constexpr (range == overflow::wrap) {
+    run_faultless<has>(how.use, count, blocks, element, to, from...);
+    return clean_report(how, count);
+  } else {
+    // clang tests the range of each product in a branch. g++ 12 saves registers before it knows
+    // that a span is short.
+    using first = std::conditional_t<loops_in_vectors, all_blocks, few_blocks>;
+    return run_batch < loops_in_vectors ? 2 : 4, has, range, divide_fault::none,
+           first > (operation, how, count, blocks, element, to, from...);
+  }
 }
 
 }  // namespace fixproof::detail

@@ -169,7 +169,7 @@ TEST_P(Quotients, AreExactInLoops) {
 template <int plus>
 void check_floor(double x) {
   const std::uint64_t bits = fixproof::detail::placed_floor<plus>(x);
-  const auto word = static_cast<std::int64_t>(bits - fixproof::detail::place_of_floors);
+  const auto word = static_cast<std::int64_t>(bits - fixproof::detail::place_of_floors<0>);
   if (std::abs(x) < 0x1p50) {
     EXPECT_EQ(word, static_cast<std::int64_t>(std::floor(x)) + plus) << x;
   } else {
