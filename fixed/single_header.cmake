@@ -26,11 +26,12 @@ list(JOIN standard_includes "" standard_includes)
 list(JOIN standard_headers "|" standard_header)
 
 # read_header(HEADER RESULT): its text. It drops comments, `#pragma once`, the includes of standard_headers, and spaces
-# that only indent or align. Before the first string of a line, it drops the space after a comma, and those around !=, && and ||,
-# and around a = or == that follows a name, ) or ]; after > they stay, because >= is another token. It drops the space between
-# ) and {, before a return or a } on the same line, and after if constexpr. To a line that ends with (, a comma, an
-# operator or template <...>, it appends the next line. It appends a line that begins with : or ? to the line before. It puts a block of one statement on one line. It moves any other indented closing
-# brace to the end of the line before.
+# that only indent or align. Before the first string of a line, it drops the space after a comma, and those around an
+# operator, and around a = or == that follows a name, ) or ]; after > they stay, because >= is another token. It drops
+# the space between ) and {, before a return or a } on the same line, and after if constexpr. To a line that ends with
+# (, a comma, an operator or template <...>, it appends the next line. It appends a line that begins with : or ? to the
+# line before. It puts a block of one statement on one line. It moves any other indented closing brace to the end of the
+# line before.
 function(read_header header result)
   file(READ ${root}/${header} text)
   string(REGEX REPLACE "}  // namespace (fixproof|fixproof::detail|fixproof::detail::FIXED_LANES)\n" "}@\\1@\n" text
@@ -53,8 +54,8 @@ function(read_header header result)
   while(text MATCHES "\n[^#\"\n][^\"\n]*[]A-Za-z0-9_)] ==? ")
     string(REGEX REPLACE "(\n[^#\"\n][^\"\n]*[]A-Za-z0-9_)]) (==?) " "\\1\\2" text "${text}")
   endwhile()
-  while(text MATCHES "\n[^#\"\n][^\"\n]* (!=|&&|[|][|]) ")
-    string(REGEX REPLACE "(\n[^#\"\n][^\"\n]*) (!=|&&|[|][|]) " "\\1\\2" text "${text}")
+  while(text MATCHES "\n[^#\"\n][^\"\n]* (!=|&&|[|][|]|<<|[-+*?:|&]) ")
+    string(REGEX REPLACE "(\n[^#\"\n][^\"\n]*) (!=|&&|[|][|]|<<|[-+*?:|&]) " "\\1\\2" text "${text}")
   endwhile()
   string(REPLACE "template <" "template<" text "${text}")
   string(REPLACE ") {" "){" text "${text}")

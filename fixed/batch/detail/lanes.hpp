@@ -53,6 +53,7 @@ FIXED_LANE_FUNCTION i32 lanes(const lane_array& values) {
 // negative(x)           all ones in the lanes below zero
 // blend<mask>(a, b)     lane i of b if bit i of mask is set, else of a
 // permute(x, from)      lane i is x[from[i]]
+// permute(x, from, y)   the same, with the lanes of y behind those of x (AVX-512)
 // lower, upper, join    the halves of a block
 // low_words(x)          the lower halves of 64-bit lanes
 // widened(x)            converts to 64-bit lanes
@@ -131,6 +132,9 @@ FIXED_LANE_FUNCTION i32 blend(i32 a, i32 b) {
 }
 FIXED_LANE_FUNCTION i32 permute(i32 x, i32 from) {
   return i32(_mm512_maskz_permutexvar_epi32(0xffff, __m512i(from), __m512i(x)));
+}
+FIXED_LANE_FUNCTION i32 permute(i32 x, i32 from, i32 y) {
+  return i32(_mm512_permutex2var_epi32(__m512i(x), __m512i(from), __m512i(y)));
 }
 FIXED_LANE_FUNCTION half_i32 lower(i32 x) {
   return half_i32(_mm512_maskz_extracti64x4_epi64(0xf, __m512i(x), 0));

@@ -21,6 +21,10 @@
 //
 #include "fixed/batch/detail/vertices.hpp"
 //
+#include "fixed/batch/detail/half_vertices.hpp"
+//
+#include "fixed/batch/detail/transform_lanes.hpp"
+//
 #include "fixed/batch/detail/radian_lanes.hpp"
 //
 #include "fixed/batch/detail/loops.hpp"
