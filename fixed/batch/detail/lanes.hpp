@@ -161,7 +161,8 @@ FIXED_LANE_FUNCTION bool any_bit(u64 x) {
 FIXED_LANE_FUNCTION std::uint64_t sum_of(u64 x) {
   x += __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
   x += __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
-  return x[0] + x[1];
+  x += __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6);
+  return x[0];
 }
 FIXED_LANE_FUNCTION std::uint32_t zero_bits(i32 x) {
   return _mm512_testn_epi32_mask(__m512i(x), __m512i(x));

@@ -166,12 +166,13 @@ TEST_P(Quotients, AreExactInLoops) {
   }
 }
 
-template <int plus>
+template <int plus, int shift>
 void check_floor(double x) {
-  const std::uint64_t bits = fixproof::detail::placed_floor<plus>(x);
-  const auto word = static_cast<std::int64_t>(bits - fixproof::detail::place_of_floors<0>);
-  if (std::abs(x) < 0x1p50) {
-    EXPECT_EQ(word, static_cast<std::int64_t>(std::floor(x)) + plus) << x;
+  const std::uint64_t bits = fixproof::detail::placed_floor<plus, shift>(x);
+  const auto word = static_cast<std::int64_t>(bits - fixproof::detail::place_of_floors<shift>);
+  const double shifted = std::ldexp(x, shift);
+  if (std::abs(shifted) < 0x1p50) {
+    EXPECT_EQ(word, static_cast<std::int64_t>(std::floor(shifted)) + plus) << x;
   } else {
     EXPECT_GE(std::abs(word), (std::int64_t{1} << 50) - 1) << x;
   }
@@ -185,8 +186,10 @@ TEST(Floors, OfEveryKindOfDoubleInEveryRoundingMode) {
     for (const int mode : RoundingMode::all) {
       const RoundingMode set(mode);
       for (const double either : {x, -x}) {
-        check_floor<0>(either);
-        check_floor<1>(either);
+        check_floor<0, 0>(either);
+        check_floor<1, 0>(either);
+        check_floor<1, 17>(either);
+        check_floor<1, 17>(std::ldexp(either, -17));
       }
     }
   }
