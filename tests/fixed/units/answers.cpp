@@ -77,6 +77,8 @@ std::string ANSWERS() {
   for (const auto path : {batch::path::portable, batch::best()}) {
     static_cast<void>(batch::multiply(x, x, y, {.use = path}));
     for (const q16_16 n : y) append(text, n);
+    static_cast<void>(batch::mul_add(x, x, x, y, {.use = path}));
+    for (const q16_16 n : y) append(text, n);
     batch::sin(x, y, path);
     for (const q16_16 n : y) append(text, n);
   }
