@@ -118,16 +118,16 @@ struct half_up_halves {
   [[nodiscard]] FIXED_LANE_FUNCTION i64 fields(std::size_t i, Part part) const {
     constexpr double one = std::uint64_t{1} << Number::fraction_bits;
     // The sum for 0. Its 2^31 makes room for negative integers.
-    constexpr double place = (0x1.8p36 + 0x1p31 + 0.5) / one;
-    const f64 sum = sum_down(load_doubles<Float, rounding::half_up>(x, i, part), f64{} + place);
-    return i64(sum) ^ bit_cast<std::int64_t>(place);
+    const f64 place = f64{} + (0x1.8p36 + 0x1p31 + 0.5) / one;
+    return i64(sum_down(load_doubles<Float, rounding::half_up>(x, i, part), place)) ^ i64(place);
   }
   template <class Part>
   [[nodiscard]] FIXED_LANE_FUNCTION half_i32 at(std::size_t i, Part part, i64& seen) const {
     seen = fields(i, part);
     return low_words(seen >> 16);
   }
-  FIXED_LANE_FUNCTION static bool is_clean(i64 seen) { return !any_of_upper_16_bits(seen); }
+  // A shift needs no constant; in a loop, which loads that once, the test of a block is faster.
+  FIXED_LANE_FUNCTION static bool is_clean(i64 seen) { return !any_bit(u64(seen) >> 48); }
 };
 
 /// The same for a block.
@@ -150,7 +150,7 @@ struct half_up_blocks {
     seen |= low | high;
     return middles(low, high);
   }
-  FIXED_LANE_FUNCTION static bool is_clean(i64 seen) { return halves::is_clean(seen); }
+  FIXED_LANE_FUNCTION static bool is_clean(i64 seen) { return !any_of_upper_16_bits(seen); }
   template <class Part>
   FIXED_LANE_FUNCTION void note(std::size_t i, Part part, fault_recorder& found) const {
     const from_float_blocks<Number, Float> any{out, x};

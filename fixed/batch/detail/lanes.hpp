@@ -122,9 +122,6 @@ inline constexpr std::array<std::int16_t, 32> adjacent_middle_words = [] {
 FIXED_LANE_FUNCTION i32 middles(i64 low, i64 high) {
   return words_of(adjacent_middle_words, low, high);
 }
-FIXED_LANE_FUNCTION bool any_of_upper_16_bits(i64 x) {
-  return _mm512_test_epi64_mask(__m512i(x), __m512i(i64{} + (std::int64_t{-1} << 48))) != 0;
-}
 FIXED_LANE_FUNCTION i64 negative(i64 x) { return x >> 63; }
 template <unsigned mask>
 FIXED_LANE_FUNCTION i32 blend(i32 a, i32 b) {
@@ -157,6 +154,9 @@ FIXED_LANE_FUNCTION std::uint32_t bits(i32 x) { return _mm512_movepi32_mask(__m5
 FIXED_LANE_FUNCTION std::uint32_t bits(half_i32 x) { return _mm256_movepi32_mask(__m256i(x)); }
 FIXED_LANE_FUNCTION bool any_bit(u64 x) {
   return _mm512_test_epi64_mask(__m512i(x), __m512i(x)) != 0;
+}
+FIXED_LANE_FUNCTION bool any_of_upper_16_bits(i64 x) {
+  return _mm512_test_epi64_mask(__m512i(x), __m512i(i64{} + (std::int64_t{-1} << 48))) != 0;
 }
 FIXED_LANE_FUNCTION std::uint64_t sum_of(u64 x) {
   x += __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
