@@ -25,19 +25,13 @@ inline constexpr bool has_vector_conversion =
             bits_of<typename Number::raw_type> <= 32 &&
     Number::rules.multiply == rounding::half_up;
 
-/// place_of_floors + 2 u, where u is x in ulps, rounded half up and below 2^49 in magnitude. The
-/// lowest bit is arbitrary. It works in every rounding mode of the processor.
-template <class Number, binary_float Float>
-std::uint64_t placed_ulps(Float x) noexcept {
-  return placed_floor<1, Number::fraction_bits + 1>(static_cast<double>(x));
-}
-
 /// x in ulps, rounded half up, if that is below 2^49 in magnitude. Larger x, infinities and NaN
 /// give a word of at least 2^48 in magnitude.
 template <class Number, binary_float Float>
 std::int64_t rounded_ulps(Float x) noexcept {
-  constexpr std::uint64_t place = place_of_floors<Number::fraction_bits + 1>;
-  return static_cast<std::int64_t>(placed_ulps<Number>(x) - place) >> 1;
+  constexpr int half_ulp = Number::fraction_bits + 1;
+  const std::uint64_t placed = placed_floor<1, half_ulp>(static_cast<double>(x));
+  return static_cast<std::int64_t>(placed - place_of_floors<half_ulp>) >> 1;
 }
 
 }  // namespace fixproof::detail
@@ -72,8 +66,10 @@ template <any_number Number, detail::binary_float Float>
 [[nodiscard]] constexpr Number vectorizable_from(Float x) noexcept(Number::never_throws) {
   if constexpr (detail::has_vector_conversion<Number>) {
     if (!std::is_constant_evaluated()) {
-      return Number::from_raw(
-          static_cast<typename Number::raw_type>(detail::placed_ulps<Number>(x) >> 1));
+      // The low bits of rounded_ulps(), which are those of half ulps and one, halved.
+      const std::uint64_t placed =
+          detail::placed_floor<1, Number::fraction_bits + 1>(static_cast<double>(x));
+      return Number::from_raw(static_cast<typename Number::raw_type>(placed >> 1));
     }
   }
   return Number(x);

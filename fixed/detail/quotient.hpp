@@ -170,61 +170,60 @@ inline double quotient_sum(std::int32_t numerator, std::int32_t divisor) noexcep
   }
 }
 
-// Whether the compiler has instructions for floors, or for neighbours in the current mode.
+/// Whether the processor has instructions for the floor of a double, or for its neighbour in the
+/// current mode. It is in the names of what depends on it: the linker keeps one function of a name,
+/// and other translation units may have other flags.
 #if defined(__SSE4_1__) && defined(__GNUC__) || defined(__clang__) && defined(__aarch64__)
-#define FIXED_ROUNDS_DOUBLES true
+inline constexpr bool rounds_doubles = true;
 #else
-#define FIXED_ROUNDS_DOUBLES false
+inline constexpr bool rounds_doubles = false;
 #endif
 
 /// The double to which placed_floor<Plus, Shift>() adds.
-template <int Shift>
-inline constexpr double base_of_floors = 0x1.8p52 /
-                                         static_cast<double>(std::int64_t{1}
-                                                             << (FIXED_ROUNDS_DOUBLES ? 0 : Shift));
+template <int Shift, bool Rounds = rounds_doubles>
+inline constexpr double base_of_floors = 0x1.8p52 / (Rounds ? 1.0 : std::int64_t{1} << Shift);
 
 /// Its bits. The low 51 are zero.
-template <int Shift>
-inline constexpr auto place_of_floors = bit_cast<std::uint64_t>(base_of_floors<Shift>);
+template <int Shift, bool Rounds = rounds_doubles>
+inline constexpr auto place_of_floors = bit_cast<std::uint64_t>(base_of_floors<Shift, Rounds>);
 
 /// place_of_floors + floor(x 2^Shift) + Plus, if that floor is below 2^50 in magnitude. For other x
 /// and for NaN, differs from place_of_floors by at least 2^50 - 1.
 ///
 /// It works in every rounding mode of the processor. It has no branch and no 64-bit conversion,
 /// which SSE2 has only for scalars, so compilers vectorise it.
-template <int Plus, int Shift = 0>
+template <int Plus, int Shift = 0, bool Rounds = rounds_doubles>
 inline std::uint64_t placed_floor(double x) noexcept {
   static_assert(Plus == 0 || Plus == 1);
-  constexpr double base = base_of_floors<Shift>;
-#if FIXED_ROUNDS_DOUBLES
-  x *= static_cast<double>(std::int64_t{1} << Shift);
+  constexpr double base = base_of_floors<Shift, Rounds>;
+  if constexpr (Rounds) {
+    x *= static_cast<double>(std::int64_t{1} << Shift);
 #if defined(__clang__)
-  return bit_cast<std::uint64_t>(__builtin_floor(x) + (base + Plus));
-#else
-  // g++ 12 vectorises no floor. The mode decides whether this is the floor or the ceiling of x.
-  const double neighbour = __builtin_rint(x);
-  return bit_cast<std::uint64_t>(neighbour + (x < neighbour ? base + (Plus - 1) : base + Plus));
+    return bit_cast<std::uint64_t>(__builtin_floor(x) + (base + Plus));
+#elif defined(__GNUC__)
+    // g++ 12 vectorises no floor. The mode decides whether this is the floor or the ceiling of x.
+    const double neighbour = __builtin_rint(x);
+    return bit_cast<std::uint64_t>(neighbour + (x < neighbour ? base + (Plus - 1) : base + Plus));
 #endif
-#else
-  // The last bit of the sum has weight 2^-Shift, so the sum less the base is a floor or a ceiling,
-  // too.
-  const double sum = x + base;
-#if defined(__clang__)
-  const std::uint64_t above = bit_cast<std::uint64_t>(sum) + Plus;
-  return x < sum - base ? above - 1 : above;
-#else
-  // In doubles, because g++ -O2 vectorises no loop of unknown length, and a scalar reaches an
-  // integer register late.
-  constexpr double unit = base * 0x1p-52 / 1.5;
-  if constexpr (Plus == 0) {
-    return bit_cast<std::uint64_t>(sum - (x < sum - base ? unit : 0.0));
   } else {
-    return bit_cast<std::uint64_t>(sum + (sum - base <= x ? unit : 0.0));
+    // The last bit of the sum has weight 2^-Shift, so the sum less the base is a floor or a
+    // ceiling, too.
+    const double sum = x + base;
+#if defined(__clang__)
+    const std::uint64_t above = bit_cast<std::uint64_t>(sum) + Plus;
+    return x < sum - base ? above - 1 : above;
+#else
+    // In doubles, because g++ -O2 vectorises no loop of unknown length, and a scalar reaches an
+    // integer register late.
+    constexpr double unit = base * 0x1p-52 / 1.5;
+    if constexpr (Plus == 0) {
+      return bit_cast<std::uint64_t>(sum - (x < sum - base ? unit : 0.0));
+    } else {
+      return bit_cast<std::uint64_t>(sum + (sum - base <= x ? unit : 0.0));
+    }
+#endif
   }
-#endif
-#endif
 }
-#undef FIXED_ROUNDS_DOUBLES
 
 /// Whether rule Rounding is a floor after adding the half; otherwise it is a trunc.
 template <rounding Rounding>

@@ -163,7 +163,8 @@ FIXED_NOINLINE void elements_on(std::size_t count, Type* to, const From*... from
           FIXED_INLINE { elements_in<void, Blocks, Element, Type, From...>(count, to, from...); });
 }
 
-/// Runs a batch of elements that have no faults; see run_batch().
+/// Runs a batch of elements that have no faults; see run_batch(). Short spans are marked as likely,
+/// so that they take no jump.
 template <bool has, class Blocks, class Element, class Type, class... From>
 FIXED_ALWAYS_INLINE void run_faultless(batch::path use, std::size_t count, Blocks blocks,
                                        Element element, Type* to, const From*... from) noexcept {
@@ -173,7 +174,7 @@ FIXED_ALWAYS_INLINE void run_faultless(batch::path use, std::size_t count, Block
           use, [&](auto on) FIXED_INLINE { return blocks(on, all_blocks{}, count, to, from...); });
       return;
     }
-  } else if (count - 1 < (loops_in_vectors ? 1 : 4)) [[likely]] {  // and not 0; takes no jump
+  } else if (count - 1 < (loops_in_vectors ? 1 : 4)) [[likely]] {  // and not 0
     std::size_t i = 0;
     do {
       to[i] = stored<Type>(element(i, from...).raw);
@@ -271,8 +272,9 @@ FIXED_ALWAYS_INLINE batch::report run_products(const char* operation, const batc
     // clang tests the range of each product in a branch. g++ 12 saves registers before it knows
     // that a span is short.
     using first = std::conditional_t<loops_in_vectors, all_blocks, few_blocks>;
-    return run_batch < loops_in_vectors ? 2 : 4, has, range, divide_fault::none,
-           first > (operation, how, count, blocks, element, to, from...);
+    constexpr std::size_t few = loops_in_vectors ? 2 : 4;
+    return run_batch<few, has, range, divide_fault::none, first>(operation, how, count, blocks,
+                                                                 element, to, from...);
   }
 }
 

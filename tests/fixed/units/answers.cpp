@@ -1,7 +1,9 @@
 // The same operations for every translation unit; ANSWERS names the function of this one.
+#include <span>
 #include <string>
 
 #include "fixed/batch/batch.hpp"
+#include "fixed/batch/conversions.hpp"
 #include "fixed/batch/radian.hpp"
 #include "fixed/bytes.hpp"
 #include "fixed/fixed.hpp"
@@ -79,6 +81,12 @@ std::string ANSWERS() {
     for (const q16_16 n : y) append(text, n);
     static_cast<void>(batch::mul_add(x, x, x, y, {.use = path}));
     for (const q16_16 n : y) append(text, n);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      // A single number, by arithmetic that depends on the instructions that the flags allow.
+      const std::array<double, 1> from{(static_cast<double>(i) - 255.5) / 131'072};
+      static_cast<void>(batch::from_floats(from, std::span(&y.at(i), 1), {.use = path}));
+      append(text, y.at(i));
+    }
     batch::sin(x, y, path);
     for (const q16_16 n : y) append(text, n);
   }
