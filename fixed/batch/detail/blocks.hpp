@@ -137,7 +137,8 @@ FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::si
     }
     if (i == end) return i;
   }
-  for (; end - i >= size; i += size) {
+  end -= (end - i) % size;
+  for (; i != end; i += size) {
     if (!clean_block(operation, i, whole_block{})) [[unlikely]] {
       return i;
     }
