@@ -66,7 +66,7 @@ template <any_number Number, detail::binary_float Float>
 [[nodiscard]] constexpr Number vectorizable_from(Float x) noexcept(Number::never_throws) {
   if constexpr (detail::has_vector_conversion<Number>) {
     if (!std::is_constant_evaluated()) {
-      // The low bits of rounded_ulps(), which are those of half ulps and one, halved.
+      // The low bits of floor(half ulps) + 1, halved.
       const std::uint64_t placed =
           detail::placed_floor<1, Number::fraction_bits + 1>(static_cast<double>(x));
       return Number::from_raw(static_cast<typename Number::raw_type>(placed >> 1));

@@ -170,10 +170,10 @@ inline double quotient_sum(std::int32_t numerator, std::int32_t divisor) noexcep
   }
 }
 
-/// Whether the processor has instructions for the floor of a double, or for its neighbour in the
-/// current mode. It is in the names of what depends on it: the linker keeps one function of a name,
-/// and other translation units may have other flags.
-#if defined(__SSE4_1__) && defined(__GNUC__) || defined(__clang__) && defined(__aarch64__)
+/// Whether placed_floor() rounds by an instruction. It is a template parameter, so that functions
+/// of translation units with other flags have other names: the linker keeps one function of a name.
+#if defined(__SSE4_1__) && (defined(__GNUC__) || defined(__clang__)) || \
+    defined(__clang__) && defined(__aarch64__)
 inline constexpr bool rounds_doubles = true;
 #else
 inline constexpr bool rounds_doubles = false;

@@ -134,7 +134,7 @@ constexpr auto nearest_root(Raw raw) noexcept {
     if constexpr (hardware_double) {
       if (!std::is_constant_evaluated()) {
 #if defined(__FMA__) || defined(__aarch64__)
-        // Compilers fuse a product with the sum, so it gets the root of an even power of two.
+        // Compilers fuse a product with the sum, so most of the scaling follows the root.
         constexpr int later = FractionBits / 2;
 #else
         constexpr int later = 0;

@@ -126,7 +126,7 @@ struct half_up_halves {
     seen = fields(i, part);
     return low_words(seen >> 16);
   }
-  // A shift needs no constant; in a loop, which loads that once, the test of a block is faster.
+  // Unlike half_up_blocks, which tests with a constant that its loop loads once.
   FIXED_LANE_FUNCTION static bool is_clean(i64 seen) { return !any_bit(u64(seen) >> 48); }
 };
 
@@ -178,10 +178,6 @@ struct no_faults {
 
   FIXED_LANE_FUNCTION static bool is_clean(no_faults /*seen*/) { return true; }
 };
-
-/// Whether no element has a fault, so that run() computes all of them where there are masks.
-template <class Operation>
-inline constexpr bool has_no_faults = std::is_same_v<typename Operation::check, no_faults>;
 
 template <class Number>
 struct to_double_blocks : no_faults {

@@ -103,8 +103,8 @@ struct quotient_blocks {
 };
 
 #if FIXED_LANE_BYTES == 64
-/// Half a block of square roots, as detail::nearest_root() does it: for so few, the root of doubles
-/// takes less time than the correction of a root of floats.
+/// Half a block of square roots, as detail::nearest_root() does it with FMA. For so few, the root
+/// of doubles takes less time than a root of floats and its correction.
 template <class Raw, int Point>
 struct root_halves {
   using number = Raw;

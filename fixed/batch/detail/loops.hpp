@@ -14,7 +14,8 @@ namespace fixproof::detail::FIXED_LANES {
 
 /// The loops as a type, which on_path() passes to its callable.
 struct loops {
-  /// Whether run() leaves no element if none has a fault.
+  /// Whether run() leaves no element if none has a fault: masks fill the last block, and
+  /// conversions to float are exact in every rounding mode.
   static constexpr bool fills_spans = has_masks && has_nearest_floats;
 
   /// Computes the elements from `done` on, up to a block that may have a fault.
@@ -40,23 +41,17 @@ struct loops {
                                              Places... places) noexcept {
     if constexpr (has_masks && FIXED_SURE_OF_AVX512) {
       const Operation operation{places...};
-      const std::size_t done = count <= width ? at_most_two_blocks(operation, 0, count)
-                                              : each_block(operation, 0, count);
-      return has_no_faults<Operation> ? count : done;
+      return count <= width ? at_most_two_blocks(operation, 0, count)
+                            : each_block(operation, 0, count);
     }
     return 0;
   }
-  /// Computes the elements from how.done on, and records their faults. Computes none for operations
-  /// without faults, because the loop above has done all that it can.
+  /// Computes the elements from how.done on, and records their faults.
   /// @return as run() above
   template <class Operation, class... Places>
   FIXED_LANE_LOOP static std::size_t run(const recording& how, std::size_t count,
                                          Places... places) noexcept {
-    if constexpr (has_no_faults<Operation>) {
-      return how.done;
-    } else {
-      return noted_blocks(Operation{places...}, how.done, count, how.found);
-    }
+    return noted_blocks(Operation{places...}, how.done, count, how.found);
   }
 
   // Operations for run().

@@ -109,11 +109,6 @@ template <class Element, class Type, class... From>
 FIXED_ALWAYS_INLINE std::size_t few_elements(std::size_t count, const Element& element, Type* to,
                                              const From*... from) {
   std::size_t done = 0;
-  if constexpr ((... && !std::is_same_v<Type, From>)) {
-    // Elements of other types share no memory with the results.
-    Type* __restrict const apart_from = to;
-    to = apart_from;
-  }
   if constexpr (requires { element.quick(done, from...); }) {
     using raw = typename Type::raw_type;
     // Words in range have no bits above those of a stored integer once its least value is zero.
@@ -139,13 +134,18 @@ FIXED_ALWAYS_INLINE std::size_t few_elements(std::size_t count, const Element& e
 /// one by one.
 template <class On, class Blocks, class Element, class Type, class... From>
 FIXED_NOINLINE void elements_in(std::size_t count, Type* to, const From*... from) noexcept {
+  if constexpr ((... && !std::is_same_v<Type, From>)) {
+    // Elements of other types share no memory with the results.
+    Type* __restrict const apart_from = to;
+    to = apart_from;
+  }
   std::size_t i = 0;
   if constexpr (!std::is_void_v<On>) i = Blocks{}(On{}, i, count, to, from...);
   for (; i < count; ++i) to[i] = stored<Type>(Element{}(i, from...).raw);
 }
 
 /// The same on a path, without a stack: it jumps to elements_in(), or to the loop if that leaves no
-/// element.
+/// element. The path is last, so that the other arguments stay in their registers.
 template <bool has, class Blocks, class Element, class Type, class... From>
 FIXED_NOINLINE void elements_on(std::size_t count, Type* to, const From*... from,
                                 batch::path use) noexcept {
@@ -163,18 +163,23 @@ FIXED_NOINLINE void elements_on(std::size_t count, Type* to, const From*... from
           FIXED_INLINE { elements_in<void, Blocks, Element, Type, From...>(count, to, from...); });
 }
 
-/// Runs a batch of elements that have no faults; see run_batch(). Short spans are marked as likely,
-/// so that they take no jump.
+/// Runs a batch of elements that have no faults. Without flags that promise AVX-512, the shortest
+/// spans are marked as likely, so that they take no jump.
+/// @param blocks  as for run_batch(). With all_blocks, it computes all elements.
+/// @param element as for each_element()
 template <bool has, class Blocks, class Element, class Type, class... From>
 FIXED_ALWAYS_INLINE void run_faultless(batch::path use, std::size_t count, Blocks blocks,
                                        Element element, Type* to, const From*... from) noexcept {
+  // Up to this many are faster one by one. The short loops that clang vectorises are no faster than
+  // masked blocks.
+  constexpr std::size_t few = loops_in_vectors ? 1 : 4;
   if constexpr (has && sure_of_masks) {
     if (use == batch::path::fastest) {
       on_path<has>(
           use, [&](auto on) FIXED_INLINE { return blocks(on, all_blocks{}, count, to, from...); });
       return;
     }
-  } else if (count - 1 < (loops_in_vectors ? 1 : 4)) [[likely]] {  // and not 0
+  } else if (count - 1 < few) [[likely]] {  // and not 0
     std::size_t i = 0;
     do {
       to[i] = stored<Type>(element(i, from...).raw);

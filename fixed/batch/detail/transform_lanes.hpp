@@ -20,9 +20,9 @@ struct product_row {
   }
   /// @pre has_half_blocks<Number>
   [[nodiscard]] FIXED_LANE_FUNCTION u64 of(const half_block_of_vertices& v) const {
-    return rounded(x, v.x) + rounded(y, v.y) + rounded(z, v.z) + u64(start);
+    return term(x, v.x) + term(y, v.y) + term(z, v.z) + u64(start);
   }
-  [[nodiscard]] FIXED_LANE_FUNCTION static u64 rounded(i32 a, i64 b) {
+  [[nodiscard]] FIXED_LANE_FUNCTION static u64 term(i32 a, i64 b) {
     constexpr int Point = Number::fraction_bits;
     return u64(biased<Number::rules.multiply, Point>(mul_even(i64(a), b))) >> Point;
   }
@@ -32,6 +32,10 @@ struct product_row {
 /// that rounds half up.
 template <class Number>
 struct sum_row {
+  static constexpr int Point = Number::fraction_bits;
+  static constexpr rounding rule = Number::rules.multiply;
+  static constexpr rounding Rounding = rule == rounding::half_up ? rounding::floor : rule;
+
   i32 x, y, z;
   u64 start;
 
@@ -39,9 +43,6 @@ struct sum_row {
     return i64(start + u64(of_x) + u64(of_y) + u64(of_z));
   }
   [[nodiscard]] FIXED_LANE_FUNCTION i32 of(const block_of_vertices& v, i32& bad) const {
-    constexpr int Point = Number::fraction_bits;
-    constexpr rounding rule = Number::rules.multiply;
-    constexpr rounding Rounding = rule == rounding::half_up ? rounding::floor : rule;
     constexpr overflow Overflow = Number::rules.product_range();
     if constexpr (sizeof(Number) == 2) {
       const u32 all = u32(start) + u32(x * v.x) + u32(y * v.y) + u32(z * v.z);
@@ -58,9 +59,6 @@ struct sum_row {
   }
   /// @pre has_half_blocks<Number>
   [[nodiscard]] FIXED_LANE_FUNCTION u64 of(const half_block_of_vertices& v) const {
-    constexpr int Point = Number::fraction_bits;
-    constexpr rounding rule = Number::rules.multiply;
-    constexpr rounding Rounding = rule == rounding::half_up ? rounding::floor : rule;
     const i64 exact = sum(mul_even(i64(x), v.x), mul_even(i64(y), v.y), mul_even(i64(z), v.z));
     return u64(biased<Rounding, Point>(exact)) >> Point;
   }

@@ -166,10 +166,11 @@ TEST_P(Quotients, AreExactInLoops) {
   }
 }
 
-template <int plus, int shift>
+template <int plus, int shift, bool rounds>
 void check_floor(double x) {
-  const std::uint64_t bits = fixproof::detail::placed_floor<plus, shift>(x);
-  const auto word = static_cast<std::int64_t>(bits - fixproof::detail::place_of_floors<shift>);
+  const std::uint64_t bits = fixproof::detail::placed_floor<plus, shift, rounds>(x);
+  const std::uint64_t place = fixproof::detail::place_of_floors<shift, rounds>;
+  const auto word = static_cast<std::int64_t>(bits - place);
   const double shifted = std::ldexp(x, shift);
   if (std::abs(shifted) < 0x1p50) {
     EXPECT_EQ(word, static_cast<std::int64_t>(std::floor(shifted)) + plus) << x;
@@ -178,18 +179,28 @@ void check_floor(double x) {
   }
 }
 
+/// By an instruction, and without.
+template <int plus, int shift>
+void check_every_floor(double x) {
+  check_floor<plus, shift, false>(x);
+  check_floor<plus, shift, true>(x);
+}
+
 TEST(Floors, OfEveryKindOfDoubleInEveryRoundingMode) {
   using limits = std::numeric_limits<double>;
   for (const double x :
-       {0.0, limits::denorm_min(), 0.25, 0.5, 0x1.fffffffffffffp-1, 1.0, 1.5, 0x1.fffffffffffffp49,
-        0x1p50, 0x1p51, 0x1.8p52, 0x1p53, 1e308, limits::infinity(), limits::quiet_NaN()}) {
+       {0.0, limits::denorm_min(), 0.25, 0.5, 0x1.fffffffffffffp-1, 1.0, 0x1.0000000000001p0, 1.5,
+        0x1.fffffffffffffp0, 0x1.fffffffffffffp49, 0x1p50, 0x1p51, 0x1.8p52, 0x1p53, 1e308,
+        limits::infinity(), limits::quiet_NaN()}) {
     for (const int mode : RoundingMode::all) {
       const RoundingMode set(mode);
       for (const double either : {x, -x}) {
-        check_floor<0, 0>(either);
-        check_floor<1, 0>(either);
-        check_floor<1, 17>(either);
-        check_floor<1, 17>(std::ldexp(either, -17));
+        check_every_floor<0, 0>(either);
+        check_every_floor<1, 0>(either);
+        check_every_floor<1, 1>(either);
+        check_every_floor<1, 17>(either);
+        check_every_floor<1, 17>(std::ldexp(either, -17));
+        check_every_floor<1, 33>(std::ldexp(either, -33));
       }
     }
   }
@@ -220,13 +231,20 @@ void check_roots(const Operation& root, const Words& x, const Words& want) {
   const Column from(root.type, x);
   for (const auto path : paths()) {
     for (const int mode : RoundingMode::all) {
-      Column out(root.type, x.size());
-      {
-        const RoundingMode set(mode);
-        root.many(from.at(0), nullptr, nullptr, out.at(0), x.size(), {path, {}});
+      // Up to eight are half a block of AVX-512.
+      for (const std::size_t piece : {x.size(), std::size_t{8}}) {
+        Column out(root.type, x.size());
+        {
+          const RoundingMode set(mode);
+          for (std::size_t i = 0; i < x.size(); i += piece) {
+            const std::size_t count = std::min(piece, x.size() - i);
+            root.many(from.at(i), nullptr, nullptr, out.at(i), count, {path, {}});
+          }
+        }
+        ASSERT_TRUE(same(out, Column(root.type, want)))
+            << "path " << static_cast<int>(path) << ", mode " << mode << ", " << piece
+            << " at a time";
       }
-      ASSERT_TRUE(same(out, Column(root.type, want)))
-          << "path " << static_cast<int>(path) << ", mode " << mode;
     }
   }
 }
