@@ -125,8 +125,7 @@ constexpr Raw total_divide(Raw n, Raw d) noexcept {
     if constexpr (Rules.quotient_range() == overflow::saturate) {
       quotient = saturated_quotient<Raw, Rules.divide, shift>(n, divisor);
     } else {
-      // A quotient is below 2^48; one that Raw cannot hold wraps here.
-      quotient = static_cast<std::int32_t>(rounded_quotient<Rules.divide, shift>(n, divisor));
+      quotient = wrapped_quotient<Rules.divide, shift>(n, divisor);
     }
     return static_cast<Raw>((quotient & ~by_zero) | (limit & by_zero));
   } else {

@@ -217,7 +217,8 @@ inline std::uint64_t placed_floor(double x) noexcept {
     // integer register late.
     constexpr double unit = base * 0x1p-52 / 1.5;
     if constexpr (Plus == 0) {
-      return bit_cast<std::uint64_t>(sum - (x < sum - base ? unit : 0.0));
+      // Not a difference, which g++ computes in a branch.
+      return bit_cast<std::uint64_t>(sum + (x < sum - base ? -unit : 0.0));
     } else {
       return bit_cast<std::uint64_t>(sum + (sum - base <= x ? unit : 0.0));
     }
@@ -247,6 +248,18 @@ constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t div
     }
   }
   return integer_quotient<Rounding, Shift>(numerator, one_for_zero(divisor));
+}
+
+/// rounded_quotient() modulo 2^32.
+template <rounding Rounding, int Shift>
+constexpr std::int32_t wrapped_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
+  if constexpr (hardware_double && rounds_by_floor<Rounding>) {
+    if (!std::is_constant_evaluated()) {
+      // The base of the floor is a multiple of 2^32.
+      return static_cast<std::int32_t>(placed_floor<0>(quotient_sum<Rounding, Shift>(numerator, divisor)));
+    }
+  }
+  return static_cast<std::int32_t>(rounded_quotient<Rounding, Shift>(numerator, divisor));
 }
 
 /// rounded_quotient(), saturated to the range of Raw.

@@ -95,12 +95,11 @@ FIXED_LANE_FUNCTION void stored_blocks(const Operation& operation, std::size_t i
   store<number>(operation.out, i + 3 * size, fourth);
 }
 
-/// Computes whole blocks from `i` on, up to the last that ends at or before `end`, or up to some,
-/// those of four registers at most, that may have a fault.
-/// @return the first element that is left
+/// Computes groups of blocks from `i` on, while they end at or before `end`, and moves `i` beyond them.
+/// @return whether no group may have a fault; otherwise `i` is at the first that may
 template <class Operation>
-FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::size_t i,
-                                             std::size_t end) {
+FIXED_LANE_FUNCTION bool clean_groups(const Operation& operation, std::size_t& i,
+                                      std::size_t end) {
   using number = typename Operation::number;
   constexpr std::size_t size = Operation::size;
   if constexpr (requires { Operation::stores_first; }) {
@@ -111,15 +110,14 @@ FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::si
       stored_blocks(operation, i, seen);
       if constexpr (size < width) stored_blocks(operation, i + 4 * size, seen);
       if (!Operation::is_clean(seen)) [[unlikely]] {
-        return i;
+        return false;
       }
     }
-    if (i == end) return i;  // at once, because each jump on the way takes a cycle
   } else if constexpr (Operation::in_groups) {
     for (; end - i >= 4 * size; i += 4 * size) {
       if constexpr (requires { operation.zeros(i, whole_block{}); }) {
         if (operation.have_zero(i)) [[unlikely]] {
-          return i;
+          return false;
         }
       }
       typename Operation::check seen{};
@@ -128,15 +126,24 @@ FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::si
       const auto third = operation.at(i + 2 * size, whole_block{}, seen);
       const auto fourth = operation.at(i + 3 * size, whole_block{}, seen);
       if (!Operation::is_clean(seen)) [[unlikely]] {
-        return i;
+        return false;
       }
       store<number>(operation.out, i, first);
       store<number>(operation.out, i + size, second);
       store<number>(operation.out, i + 2 * size, third);
       store<number>(operation.out, i + 3 * size, fourth);
     }
-    if (i == end) return i;
   }
+  return true;
+}
+
+/// Computes whole blocks from `i` on, up to the last that ends at or before `end`, or up to one that
+/// may have a fault.
+/// @return the first element that is left
+template <class Operation>
+FIXED_LANE_FUNCTION std::size_t clean_singles(const Operation& operation, std::size_t i,
+                                              std::size_t end) {
+  constexpr std::size_t size = Operation::size;
   end -= (end - i) % size;
   for (; i != end; i += size) {
     if (!clean_block(operation, i, whole_block{})) [[unlikely]] {
@@ -144,6 +151,15 @@ FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::si
     }
   }
   return i;
+}
+
+/// Computes groups of blocks, then single ones.
+/// @return the first element that is left: a faulty block is among the next four registers
+template <class Operation>
+FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::size_t i,
+                                             std::size_t end) {
+  if (!clean_groups(operation, i, end) || i == end) return i;
+  return clean_singles(operation, i, end);
 }
 
 /// Computes the elements from `i` on.
@@ -157,7 +173,9 @@ FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size
     if (!Operation::is_exact()) return i;
   }
   if constexpr (has_masks) {
-    i = clean_blocks(operation, i, count);
+    if (!clean_groups(operation, i, count)) return i;
+    if (i == count) return count;  // at once, because each jump on the way takes a cycle
+    i = clean_singles(operation, i, count);
     const std::size_t rest = count - i;
     if (rest == 0) return count;
     if (rest >= size) [[unlikely]] {

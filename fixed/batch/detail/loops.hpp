@@ -132,12 +132,14 @@ struct loops {
       first.add(second);
       first.add_to(sum);
     } while (is_exact && count - i >= (has_masks ? 1 : width));
-    for (; i < count; ++i) {
-      const std::int64_t product = std::int64_t{a[i].raw()} * b[i].raw();
-      if constexpr (is_exact) {
-        sum.add(product);
-      } else {
-        sum += static_cast<std::uint64_t>(product);
+    if constexpr (!has_masks) {
+      for (; i < count; ++i) {
+        const std::int64_t product = std::int64_t{a[i].raw()} * b[i].raw();
+        if constexpr (is_exact) {
+          sum.add(product);
+        } else {
+          sum += static_cast<std::uint64_t>(product);
+        }
       }
     }
     return sum;
