@@ -1,6 +1,7 @@
 // Times forms of conversions from double and of quotients that promise less than ours, to see what
-// each promise costs: in loops over arrays, and in chains. Prints how many results of each
-// form are not the exact ones. Needs no library:
+// each promise costs: in loops over arrays, in chains, and over so many operands of random signs
+// that no processor learns them. Prints how many results of each form are not the exact ones. Needs
+// no library:
 //
 //     g++ -std=c++20 -O3 -march=native -fno-math-errno -I. measure/bench/variant_bench.cpp -o
 //     variant_bench && ./variant_bench
@@ -12,6 +13,7 @@
 #include <limits>
 #include <random>
 #include <type_traits>
+#include <vector>
 
 #include "fixed/batch/vectorizable.hpp"
 #include "fixed/fixed.hpp"
@@ -100,12 +102,24 @@ struct UnsignedShift {
     return static_cast<Word>(twice / static_cast<std::uint32_t>(d) >> 1);
   }
 };
+/// The operator, if divisors are rarely negative: fewer steps before and after the division.
+struct DivisorBranch {
+  static constexpr const char* name = "a branch on the divisor's sign";
+  static Word of(Word n, Word d) {
+    if (d > 0) [[likely]] {
+      const Wide below{n < 0};
+      return static_cast<Word>(((Wide{n} * 131072 + below) / d + (1 - below)) >> 1);
+    }
+    return Operator::of(n, d);
+  }
+};
 
-// So few that they stay in the first cache, wherever they lie.
-constexpr std::size_t count = 1024;
-using Words = std::array<Word, count>;
+// So few stay in the first cache, wherever they lie.
+constexpr std::size_t few = 1024;
+constexpr std::size_t many = 1 << 20;
+using Words = std::array<Word, many>;
 struct Operands {
-  alignas(64) std::array<double, count> x;
+  alignas(64) std::array<double, many> x;
   alignas(64) Words n;
   alignas(64) Words d;
   alignas(64) Words out;
@@ -137,22 +151,22 @@ struct Chain {
 };
 
 template <class Run>
-Words results_of(Operands& all) {
+std::vector<Word> results_of(Operands& all, std::size_t count) {
   Run::run(all, count);
-  return all.out;
+  return {all.out.begin(), all.out.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
 /// @return whether the first form, ours, has the exact results
 template <template <class> class Shape, class Exact, class... Forms>
-bool time_forms(const char* what, Operands& all) {
-  const Words exact = results_of<Shape<Exact>>(all);
-  const auto wrong = [&](const Words& results) {
+bool time_forms(const char* what, Operands& all, std::size_t count = few) {
+  const std::vector<Word> exact = results_of<Shape<Exact>>(all, count);
+  const auto wrong = [&](const std::vector<Word>& results) {
     std::size_t differ = 0;
     for (std::size_t i = 0; i < count; ++i) differ += std::size_t{results[i] != exact[i]};
     return differ;
   };
-  const std::array differ{wrong(results_of<Shape<Forms>>(all))...};
-  constexpr std::size_t calls = 64;  // because the clock has steps of some nanoseconds
+  const std::array differ{wrong(results_of<Shape<Forms>>(all, count))...};
+  const std::size_t calls = count == few ? 64 : 1;  // because the clock has steps of some nanoseconds
   const auto times = bench::least_times<400>(count * calls, [&] {
     for (std::size_t i = 0; i < calls; ++i) Shape<Forms>::run(all, count);
   }...);
@@ -166,11 +180,12 @@ bool time_forms(const char* what, Operands& all) {
 
 void fill(Operands& all) {
   std::mt19937 random(58);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < many; ++i) {
     const auto word = static_cast<Word>(random());
     all.x[i] = word / 65536.0 / static_cast<double>(1 + random() % 4);
     all.n[i] = word >> (random() % 20);
-    all.d[i] = static_cast<Word>(random() >> (random() % 12)) | 1;  // not zero
+    const Word d = static_cast<Word>(random() >> (random() % 12)) | 1;  // not zero
+    all.d[i] = random() % 2 == 0 ? d : -d;
   }
 }
 
@@ -185,9 +200,12 @@ int main() {
   right = time_forms<Loop, ExactQuotient, Quotient, QuotientInTheMode, QuotientOfNoZero,
                      QuotientByRint>("divide, in loops", all) &&
           right;
+  right = time_forms<Loop, ExactQuotient, Operator, DivisorBranch>(
+              "divide, one by one, random signs", all, many) &&
+          right;
   // Positive, for forms that know no other operands. The results are 2.5 / 1.5 and 1.5 in turn.
   all.d.fill(0x28000);
-  right = time_forms<Chain, ExactQuotient, Operator, SignedShift, UnsignedShift>(
+  right = time_forms<Chain, ExactQuotient, Operator, DivisorBranch, SignedShift, UnsignedShift>(
               "divide, in chains", all) &&
           right;
   if (!right) std::printf("WRONG: ours has results that are not exact\n");
