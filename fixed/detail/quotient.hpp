@@ -256,7 +256,8 @@ constexpr std::int32_t wrapped_quotient(std::int32_t numerator, std::int32_t div
   if constexpr (hardware_double && rounds_by_floor<Rounding>) {
     if (!std::is_constant_evaluated()) {
       // The base of the floor is a multiple of 2^32.
-      return static_cast<std::int32_t>(placed_floor<0>(quotient_sum<Rounding, Shift>(numerator, divisor)));
+      return static_cast<std::int32_t>(
+          placed_floor<0>(quotient_sum<Rounding, Shift>(numerator, divisor)));
     }
   }
   return static_cast<std::int32_t>(rounded_quotient<Rounding, Shift>(numerator, divisor));

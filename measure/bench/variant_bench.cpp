@@ -166,7 +166,8 @@ bool time_forms(const char* what, Operands& all, std::size_t count = few) {
     return differ;
   };
   const std::array differ{wrong(results_of<Shape<Forms>>(all, count))...};
-  const std::size_t calls = count == few ? 64 : 1;  // because the clock has steps of some nanoseconds
+  const std::size_t calls =
+      count == few ? 64 : 1;  // because the clock has steps of some nanoseconds
   const auto times = bench::least_times<400>(count * calls, [&] {
     for (std::size_t i = 0; i < calls; ++i) Shape<Forms>::run(all, count);
   }...);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "support/interrupt.hpp"
 #include "support/usage_error.hpp"
@@ -61,14 +62,57 @@ class Duel {
   std::array<parties::Ending, most> ends_{}, ends_wanted_{};
 };
 
-/// @param killed_by the number of the case that killed the program; nothing if it survived
-template <class Subject>
-MutantResult result_of(std::optional<std::uint64_t> killed_by, const Subject& subject,
-                       const x86::Program& program, const Solver& solver, int max_seconds) {
-  if (killed_by) return {.fate = Fate::killed, .cases = *killed_by};
+/// Level 1 of a variant for one party, in two rounds.
+class LevelOne {
+ public:
+  LevelOne(const cases::Variant& v, const parties::Party& judged, std::uint64_t seed)
+      : oracle_(parties::party_named(v.operation == cases::Operation::cossin ? "oracle" : "fast")),
+        seed_(seed),
+        jobs_(
+            cases::Plan(1, seed,
+                        {cases::Row{v, {std::string(judged.name()), std::string(oracle_.name())}}})
+                .jobs()),
+        duel_(v, judged, oracle_) {}
+
+  /// A few cases of every stream: they kill most mutants.
+  /// @return the number of cases run, including the one that differs; nothing if none does
+  std::optional<std::uint64_t> first_cases() {
+    return killed_by([](const cases::Job& job) { return std::pair(std::uint64_t{0}, few(job)); });
+  }
+  /// All others. The number includes the first cases.
+  std::optional<std::uint64_t> other_cases() {
+    return killed_by([](const cases::Job& job) { return std::pair(few(job), job.cases); });
+  }
+
+ private:
+  static std::uint64_t few(const cases::Job& job) {
+    return std::min<std::uint64_t>(256, job.cases);
+  }
+  template <class Range>
+  std::optional<std::uint64_t> killed_by(const Range& range) {
+    for (const cases::Job& job : jobs_) {
+      const auto [begin, end] = range(job);
+      const std::uint64_t passed = duel_.passed(job, seed_, begin, end - begin);
+      cases_ += passed;
+      if (passed < end - begin) return cases_ + 1;
+    }
+    return std::nullopt;
+  }
+
+  const parties::Party& oracle_;
+  std::uint64_t seed_;
+  std::vector<cases::Job> jobs_;
+  Duel duel_;
+  std::uint64_t cases_ = 0;
+};
+
+/// The result for a program that survived.
+/// @param proof () -> Proof
+template <class Prove>
+MutantResult result_of_survivor(const Prove& proof) {
   MutantResult result;
   try {
-    result.proof = prove(subject, program, solver, max_seconds);
+    result.proof = proof();
   } catch (const support::Stopped&) {
     throw;
   } catch (const std::exception& error) {
@@ -100,36 +144,35 @@ x86::Mutant mutant_of(const cases::Variant& v, std::size_t number) {
 
 std::optional<std::uint64_t> cases_to_kill(const cases::Variant& v, const parties::Party& judged,
                                            std::uint64_t seed) {
-  const parties::Party& oracle =
-      parties::party_named(v.operation == cases::Operation::cossin ? "oracle" : "fast");
-  const cases::Plan plan(1, seed,
-                         {cases::Row{v, {std::string(judged.name()), std::string(oracle.name())}}});
-  Duel duel(v, judged, oracle);
-  std::uint64_t cases = 0;
-  // Starts with a few cases of every stream: they kill most mutants.
-  constexpr std::uint64_t few = 256;
-  for (const bool first_ones : {true, false}) {
-    for (const cases::Job& job : plan.jobs()) {
-      const std::uint64_t begin = first_ones ? 0 : std::min(few, job.cases);
-      const std::uint64_t end = first_ones ? std::min(few, job.cases) : job.cases;
-      const std::uint64_t passed = duel.passed(job, seed, begin, end - begin);
-      cases += passed;
-      if (passed < end - begin) return cases + 1;
-    }
-  }
-  return std::nullopt;
+  LevelOne cases(v, judged, seed);
+  const auto killed_by = cases.first_cases();
+  return killed_by ? killed_by : cases.other_cases();
 }
 
 MutantResult judge(const cases::Variant& v, const x86::Program& program, std::uint64_t seed,
                    const Solver& solver, int max_seconds) {
-  const auto killed_by = cases_to_kill(v, *parties::make_interpreter_of("mutant", program), seed);
-  if (!killed_by && has_same_terms(v, program.instructions())) return {.fate = Fate::equivalent};
-  return result_of(killed_by, v, program, solver, max_seconds);
+  const auto party = parties::make_interpreter_of("mutant", program);
+  LevelOne cases(v, *party, seed);
+  const auto killed = [](std::uint64_t by) {
+    return MutantResult{.fate = Fate::killed, .cases = by};
+  };
+  if (const auto by = cases.first_cases()) return killed(*by);
+  const auto scripts = differences(v, program.instructions());
+  // No other case can tell the same terms apart.
+  if (scripts.empty()) return {.fate = Fate::equivalent};
+  if (const auto by = cases.other_cases()) return killed(*by);
+  return result_of_survivor([&] {
+    const Proof same = prove_no_difference(scripts, solver, max_seconds);
+    return same.standing == Standing::proven ? same : prove(v, program, solver, max_seconds);
+  });
 }
 
 MutantResult judge(const x86::LoopForm& form, const x86::Program& program, std::uint64_t seed,
                    const Solver& solver, int max_seconds) {
-  return result_of(spans_to_kill(form, program, seed), form, program, solver, max_seconds);
+  if (const auto by = spans_to_kill(form, program, seed)) {
+    return {.fate = Fate::killed, .cases = *by};
+  }
+  return result_of_survivor([&] { return prove(form, program, solver, max_seconds); });
 }
 
 }  // namespace fixproof::proof

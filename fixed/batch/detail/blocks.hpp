@@ -95,11 +95,11 @@ FIXED_LANE_FUNCTION void stored_blocks(const Operation& operation, std::size_t i
   store<number>(operation.out, i + 3 * size, fourth);
 }
 
-/// Computes groups of blocks from `i` on, while they end at or before `end`, and moves `i` beyond them.
+/// Computes groups of blocks from `i` on, while they end at or before `end`, and moves `i` beyond
+/// them.
 /// @return whether no group may have a fault; otherwise `i` is at the first that may
 template <class Operation>
-FIXED_LANE_FUNCTION bool clean_groups(const Operation& operation, std::size_t& i,
-                                      std::size_t end) {
+FIXED_LANE_FUNCTION bool clean_groups(const Operation& operation, std::size_t& i, std::size_t end) {
   using number = typename Operation::number;
   constexpr std::size_t size = Operation::size;
   if constexpr (requires { Operation::stores_first; }) {
@@ -137,8 +137,8 @@ FIXED_LANE_FUNCTION bool clean_groups(const Operation& operation, std::size_t& i
   return true;
 }
 
-/// Computes whole blocks from `i` on, up to the last that ends at or before `end`, or up to one that
-/// may have a fault.
+/// Computes whole blocks from `i` on, up to the last that ends at or before `end`, or up to one
+/// that may have a fault.
 /// @return the first element that is left
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t clean_singles(const Operation& operation, std::size_t i,
