@@ -157,14 +157,10 @@ MutantResult judge(const cases::Variant& v, const x86::Program& program, std::ui
     return MutantResult{.fate = Fate::killed, .cases = by};
   };
   if (const auto by = cases.first_cases()) return killed(*by);
-  const auto scripts = differences(v, program.instructions());
-  // No other case can tell the same terms apart.
-  if (scripts.empty()) return {.fate = Fate::equivalent};
+  // Before the other cases, which cannot tell the same terms apart.
+  if (has_same_terms(v, program.instructions())) return {.fate = Fate::equivalent};
   if (const auto by = cases.other_cases()) return killed(*by);
-  return result_of_survivor([&] {
-    const Proof same = prove_no_difference(scripts, solver, max_seconds);
-    return same.standing == Standing::proven ? same : prove(v, program, solver, max_seconds);
-  });
+  return result_of_survivor([&] { return prove(v, program, solver, max_seconds); });
 }
 
 MutantResult judge(const x86::LoopForm& form, const x86::Program& program, std::uint64_t seed,

@@ -74,11 +74,6 @@ Proof prove_lost_carry(bool mul_round, const Solver& solver, int max_seconds) {
   return prove_all(lost_carry_questions(mul_round), solver, max_seconds);
 }
 
-Proof prove_no_difference(const std::vector<std::string>& differences, const Solver& solver,
-                          int max_seconds) {
-  return prove_all(differences, solver, max_seconds);
-}
-
 Proof prove(const cases::Variant& v, const x86model::Program& program, const Solver& solver,
             int max_seconds) {
   const auto party = parties::make_interpreter_of("program", program);

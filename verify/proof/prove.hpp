@@ -45,11 +45,6 @@ Proof prove(const x86model::LoopForm& form, const x86model::Program& program, co
 /// See lost_carry_questions(). `max_seconds` limits each question. @throws as Solver::ask()
 Proof prove_lost_carry(bool mul_round, const Solver& solver, int max_seconds);
 
-/// Proves that `program` does what the routine of `variant` does: see differences(). Without a
-/// proof, the standing says nothing about the program. @throws as Solver::ask()
-Proof prove_no_difference(const std::vector<std::string>& differences, const Solver& solver,
-                          int max_seconds);
-
 /// Proves that `program` does what the routine of `variant` should. Products and quotients are
 /// abstract at first, and exact in a second attempt after a spurious counterexample. `max_seconds`
 /// limits each question. @throws as Solver::ask()

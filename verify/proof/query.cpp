@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "verify/machine_code/machine_code.hpp"
 #include "verify/parties/interpreter.hpp"
@@ -119,23 +119,6 @@ std::vector<sym::Path> paths_of(const cases::Variant& v, sym::Terms& terms, cons
   return sym::run(terms, code, start, options);
 }
 
-/// What a path does, as terms.
-struct Way {
-  sym::Term condition;
-  sym::Term in_table;
-  x86::Outcome outcome{};
-  std::vector<sym::Term> left;  ///< the results, and whether the state is preserved
-
-  friend auto operator<=>(const Way&, const Way&) = default;
-};
-
-std::vector<Way> only_in(const std::set<Way>& ways, const std::set<Way>& others) {
-  std::vector<Way> only;
-  std::set_difference(ways.begin(), ways.end(), others.begin(), others.end(),
-                      std::back_inserter(only));
-  return only;
-}
-
 }  // namespace
 
 std::vector<std::string> questions(const cases::Variant& v, std::span<const x86::Instruction> code,
@@ -191,69 +174,24 @@ std::vector<std::string> questions(const cases::Variant& v, std::span<const x86:
   return scripts;
 }
 
-std::vector<std::string> differences(const cases::Variant& v,
-                                     std::span<const x86::Instruction> code) {
-  if (calls_fixed_mul(v)) expect_proven_fixed_mul(v, code);
+bool has_same_terms(const cases::Variant& v, std::span<const x86::Instruction> code) {
   const x86::Routine routine = machine_code::key_of(v).routine;
   sym::Terms terms;
   const sym::State start = sym::enter(terms, routine);
-  const auto ways_of = [&](std::span<const x86::Instruction> of) {
-    std::set<Way> ways;
+  using Behaviour = std::tuple<sym::Term, sym::Term, x86::Outcome, std::vector<sym::Term>>;
+  const auto behaviour = [&](std::span<const x86::Instruction> of) {
+    std::set<Behaviour> ways;
     for (const sym::Path& path : paths_of(v, terms, start, of)) {
       std::vector<sym::Term> left;
       if (path.outcome == x86::Outcome::returned) {
         left = sym::results(terms, routine, path.state);
         left.push_back(sym::preserves_state(terms, routine, start, path.state));
       }
-      ways.insert({path.condition, path.in_table, path.outcome, left});
+      ways.emplace(path.condition, path.in_table, path.outcome, left);
     }
     return ways;
   };
-  // A way of both programs is the way of the same operands in both, because the conditions of one
-  // program exclude each other. So only the other ways are compared.
-  const std::set<Way> in_routine = ways_of(parties::program_of(v).instructions());
-  const std::set<Way> in_code = ways_of(code);
-  const std::vector<Way> wanted = only_in(in_routine, in_code);
-  const std::vector<Way> given = only_in(in_code, in_routine);
-  if (wanted.empty() && given.empty()) return {};
-
-  std::vector<sym::Term> roots;
-  for (const std::vector<Way>* ways : {&wanted, &given}) {
-    for (const Way& way : *ways) {
-      roots.insert(roots.end(), {way.condition, way.in_table});
-      roots.insert(roots.end(), way.left.begin(), way.left.end());
-    }
-  }
-  const std::string before =
-      fmt::format("(set-logic QF_UFBV)\n(set-option :produce-models true)\n{}{}{}{}{}",
-                  abstractions(Arithmetic::abstract), declare(terms, roots, routine),
-                  routine == x86::Routine::cossin ? cosine_table_facts : "",
-                  sym::define(terms, roots), facts_of_divides(terms, roots));
-  const auto name = [&](sym::Term term) { return sym::name_in_smt(terms, term); };
-  const auto script = [&](const std::string& assumed, const std::string& shown) {
-    return fmt::format("{}(assert {})\n(assert (not (or false{})))\n(check-sat)\n", before, assumed,
-                       shown);
-  };
-  std::vector<std::string> scripts;
-  for (const Way& way : given) {
-    std::string ways;
-    for (const Way& other : wanted) {
-      if (other.outcome != way.outcome) continue;
-      ways += fmt::format(" (and {} (=> {} {})", name(other.condition), name(other.in_table),
-                          name(way.in_table));
-      for (std::size_t i = 0; i < way.left.size(); ++i) {
-        ways += fmt::format(" (= {} {})", name(other.left[i]), name(way.left[i]));
-      }
-      ways += ")";
-    }
-    scripts.push_back(script(name(way.condition), ways));
-  }
-  std::string of_routine;
-  std::string of_code;
-  for (const Way& way : wanted) of_routine += " " + name(way.condition);
-  for (const Way& way : given) of_code += " " + name(way.condition);
-  scripts.push_back(script(fmt::format("(or false{})", of_routine), of_code));
-  return scripts;
+  return behaviour(parties::program_of(v).instructions()) == behaviour(code);
 }
 
 std::vector<std::uint32_t> operands_in(const cases::Variant& v, const std::string& model) {

@@ -89,10 +89,14 @@ std::string divide(const cases::Variant& v) {
   return v.build.div_round ? divide_i386_rounded : divide_i386_unrounded;
 }
 
-/// Reduces the angle by whole turns (lemma whole-turns), then by quadrants.
-static_assert(x86model::cosine_table[900] == 0, "asserted by cosine_table_facts");
+/// Reduces the angle by whole turns (lemma whole-turns), then by quadrants. entry(i) is the cosine
+/// of i tenths of a degree, 0 <= i <= 900.
+static_assert(x86model::cosine_table[900] == 0, "asserted below: cos(90 degrees) is 0");
 constexpr const char* cosine_and_sine =
-    R"((declare-const turned (_ BitVec 16))
+    R"((define-fun entry ((i (_ BitVec 16))) (_ BitVec 32)
+  (concat (cosword (bvadd (bvshl i (_ bv2 16)) (_ bv2 16))) (cosword (bvshl i (_ bv2 16)))))
+(assert (= (entry (_ bv900 16)) (_ bv0 32)))
+(declare-const turned (_ BitVec 16))
 (declare-const turns (_ BitVec 16))
 (assert (and (bvult turned (_ bv3600 16)) (bvsle (bvneg (_ bv10 16)) turns) (bvsle turns (_ bv9 16))))
 (assert (= ((_ sign_extend 16) angle)
@@ -218,7 +222,7 @@ Specification specification(const cases::Variant& v) {
     case cases::Operation::div:
       return {signs + divide(v), "faults", {"quotient"}};
     case cases::Operation::cossin:
-      return {std::string(cosine_table_facts) + cosine_and_sine, "false", {"cosine", "sine"}};
+      return {cosine_and_sine, "false", {"cosine", "sine"}};
     case cases::Operation::xformvec:
       return {signs + multiply(v), "false", transformed_point(v)};
     case cases::Operation::concat:

@@ -40,14 +40,6 @@ inline constexpr const char* sum_in_parts =
           (bvadd ((_ extract 15 0) x) ((_ extract 15 0) y))))
 )";
 
-/// Defines entry(i), the cosine of i tenths of a degree, 0 <= i <= 900, and states the only entry
-/// that proofs use: cos(90 degrees) is 0.
-inline constexpr const char* cosine_table_facts =
-    R"((define-fun entry ((i (_ BitVec 16))) (_ BitVec 32)
-  (concat (cosword (bvadd (bvshl i (_ bv2 16)) (_ bv2 16))) (cosword (bvshl i (_ bv2 16)))))
-(assert (= (entry (_ bv900 16)) (_ bv0 32)))
-)";
-
 /// Returns the specification of a routine under the rules of FIXED.ASM, at full width.
 Specification specification(const cases::Variant& variant);
 
