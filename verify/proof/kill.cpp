@@ -106,13 +106,13 @@ class LevelOne {
   std::uint64_t cases_ = 0;
 };
 
-/// The result for a program that survived.
-/// @param proof () -> Proof
-template <class Prove>
-MutantResult result_of_survivor(const Prove& proof) {
+/// The result for a program that survived level 1.
+template <class Subject>
+MutantResult result_of_survivor(const Subject& subject, const x86::Program& program,
+                                const Solver& solver, int max_seconds) {
   MutantResult result;
   try {
-    result.proof = proof();
+    result.proof = prove(subject, program, solver, max_seconds);
   } catch (const support::Stopped&) {
     throw;
   } catch (const std::exception& error) {
@@ -153,14 +153,14 @@ MutantResult judge(const cases::Variant& v, const x86::Program& program, std::ui
                    const Solver& solver, int max_seconds) {
   const auto party = parties::make_interpreter_of("mutant", program);
   LevelOne cases(v, *party, seed);
-  const auto killed = [](std::uint64_t by) {
-    return MutantResult{.fate = Fate::killed, .cases = by};
-  };
-  if (const auto by = cases.first_cases()) return killed(*by);
-  // Before the other cases, which cannot tell the same terms apart.
-  if (has_same_terms(v, program.instructions())) return {.fate = Fate::equivalent};
-  if (const auto by = cases.other_cases()) return killed(*by);
-  return result_of_survivor([&] { return prove(v, program, solver, max_seconds); });
+  auto killed_by = cases.first_cases();
+  if (!killed_by) {
+    // Before the other cases, which cannot tell the same terms apart.
+    if (has_same_terms(v, program.instructions())) return {.fate = Fate::equivalent};
+    killed_by = cases.other_cases();
+  }
+  if (killed_by) return {.fate = Fate::killed, .cases = *killed_by};
+  return result_of_survivor(v, program, solver, max_seconds);
 }
 
 MutantResult judge(const x86::LoopForm& form, const x86::Program& program, std::uint64_t seed,
@@ -168,7 +168,7 @@ MutantResult judge(const x86::LoopForm& form, const x86::Program& program, std::
   if (const auto by = spans_to_kill(form, program, seed)) {
     return {.fate = Fate::killed, .cases = *by};
   }
-  return result_of_survivor([&] { return prove(form, program, solver, max_seconds); });
+  return result_of_survivor(form, program, solver, max_seconds);
 }
 
 }  // namespace fixproof::proof
