@@ -26,9 +26,9 @@ list(JOIN standard_includes "" standard_includes)
 list(JOIN standard_headers "|" standard_header)
 
 # read_header(HEADER RESULT): its text. It drops comments, `#pragma once`, the includes of standard_headers, and spaces
-# that only indent or align. Before the first string of a line, it drops the space after a comma, and those around an
-# operator, and around a = or == that follows a name, ) or ]; after > they stay, because >= is another token. It drops
-# the space between ) and {, before a return or a } on the same line, and after if constexpr. To a line that ends with
+# that only indent or align. Before the first string of a line, it drops the space after a comma or semicolon, and those
+# around an operator, and around a = or == that follows a name, ) or ]; after > they stay, because >= is another token. It
+# drops the space before {, before a return or a } on the same line, and after if, for and while. To a line that ends with
 # (, a comma, an operator or template <...>, it appends the next line. It appends a line that begins with : or ? to the
 # line before. It puts a block of one statement on one line. It moves any other indented closing brace to the end of the
 # line before.
@@ -48,8 +48,8 @@ function(read_header header result)
   endwhile()
   string(REGEX REPLACE "(\n +template <[^\n]+>)\n +" "\\1 " text "${text}")
   string(REGEX REPLACE "\n +" "\n" text "${text}")
-  while(text MATCHES "\n[^#\"\n][^\"\n]*, ")
-    string(REGEX REPLACE "(\n[^#\"\n][^\"\n]*), " "\\1," text "${text}")
+  while(text MATCHES "\n[^#\"\n][^\"\n]*[,;] ")
+    string(REGEX REPLACE "(\n[^#\"\n][^\"\n]*[,;]) " "\\1" text "${text}")
   endwhile()
   while(text MATCHES "\n[^#\"\n][^\"\n]*[]A-Za-z0-9_)] ==? ")
     string(REGEX REPLACE "(\n[^#\"\n][^\"\n]*[]A-Za-z0-9_)]) (==?) " "\\1\\2" text "${text}")
@@ -58,10 +58,12 @@ function(read_header header result)
     string(REGEX REPLACE "(\n[^#\"\n][^\"\n]*) (!=|&&|[|][|]|<<|[-+*?:|&]) " "\\1\\2" text "${text}")
   endwhile()
   string(REPLACE "template <" "template<" text "${text}")
-  string(REPLACE ") {" "){" text "${text}")
+  string(REPLACE " {" "{" text "${text}")
   string(REPLACE "{ return " "{return " text "${text}")
   string(REPLACE "; }" ";}" text "${text}")
-  string(REPLACE "if constexpr (" "if constexpr(" text "${text}")
+  foreach(keyword "if constexpr" if for while)
+    string(REPLACE "${keyword} (" "${keyword}(" text "${text}")
+  endforeach()
   string(REPLACE "\n#pragma once\n" "\n" text "${text}")
   string(REGEX REPLACE "\n#include <(${standard_header})>" "" text "${text}")
   string(REGEX REPLACE "\n$" "" text "${text}")
@@ -154,10 +156,10 @@ foreach(pair "LANE_FUNCTION FN" "LANE_BYTES BYTES" "ALWAYS_INLINE HOT" "INLINE_U
 endforeach()
 # Joins namespaces that one header closes and the next opens again. A name between @ marks where a header closes one.
 # Headers of vector code are each a namespace in an #if.
-set(open_lanes "#if defined(FIXED_LANES)\nnamespace fixproof::detail::FIXED_LANES {\n")
+set(open_lanes "#if defined(FIXED_LANES)\nnamespace fixproof::detail::FIXED_LANES{\n")
 string(REPLACE "}@fixproof::detail::FIXED_LANES@\n#endif\n${open_lanes}" "" text "${text}")
 foreach(name fixproof fixproof::detail fixproof::detail::FIXED_LANES)
-  string(REGEX REPLACE "}@${name}@\n+namespace ${name} {\n" "" text "${text}")
+  string(REGEX REPLACE "}@${name}@\n+namespace ${name}{\n" "" text "${text}")
   string(REPLACE "}@${name}@" "}" text "${text}")
 endforeach()
 file(WRITE ${OUT} "${text}")

@@ -217,9 +217,10 @@ void add_mutate(CLI::App& app, int& status) {
   command->footer(
       R"(Changes every instruction of every routine and inner loop in every way that
 x86model/mutants.hpp lists, one at a time. A mutant is killed by the first case of level 1 on
-which it differs from the oracle or raises an unexpected error. The solver proves which of the
-others are equivalent to the routine for all operands. The rest are gaps in the verification.
-Inner loops run spans of every length up to 320 pixels.
+which it differs from the oracle or raises an unexpected error. One that survives a few cases of
+every stream and has the terms of the routine is equivalent to it. The solver proves which others
+that survive are equivalent for all operands. The rest are gaps in the verification. Inner loops
+run spans of every length up to 320 pixels.
 
 A mutant that the solver does not decide is a gap too. With --solver both, so is one on which z3
 and cvc5 do not agree. `fixproof prove --help` says how solvers are tested.

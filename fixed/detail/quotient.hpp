@@ -217,7 +217,7 @@ inline std::uint64_t placed_floor(double x) noexcept {
     // integer register late.
     constexpr double unit = base * 0x1p-52 / 1.5;
     if constexpr (Plus == 0) {
-      // Not a difference, which g++ computes in a branch.
+      // A sum, because g++ -O2 makes a branch of the difference, and random operands mispredict it.
       return bit_cast<std::uint64_t>(sum + (x < sum - base ? -unit : 0.0));
     } else {
       return bit_cast<std::uint64_t>(sum + (sum - base <= x ? unit : 0.0));
@@ -250,14 +250,19 @@ constexpr std::int64_t rounded_quotient(std::int32_t numerator, std::int32_t div
   return integer_quotient<Rounding, Shift>(numerator, one_for_zero(divisor));
 }
 
-/// rounded_quotient() modulo 2^32.
+/// The low 32 bits of floor(x). Those of place_of_floors are zero, so nothing is subtracted: g++ 12
+/// would subtract a constant of 64 bits that it cannot leave out.
+/// @pre that floor is below 2^50 in magnitude
+inline std::int32_t low_bits_of_floor(double x) noexcept {
+  return static_cast<std::int32_t>(placed_floor<0>(x));
+}
+
+/// The low 32 bits of rounded_quotient(), with its preconditions.
 template <rounding Rounding, int Shift>
 constexpr std::int32_t wrapped_quotient(std::int32_t numerator, std::int32_t divisor) noexcept {
   if constexpr (hardware_double && rounds_by_floor<Rounding>) {
     if (!std::is_constant_evaluated()) {
-      // The base of the floor is a multiple of 2^32.
-      return static_cast<std::int32_t>(
-          placed_floor<0>(quotient_sum<Rounding, Shift>(numerator, divisor)));
+      return low_bits_of_floor(quotient_sum<Rounding, Shift>(numerator, divisor));
     }
   }
   return static_cast<std::int32_t>(rounded_quotient<Rounding, Shift>(numerator, divisor));
@@ -275,8 +280,8 @@ constexpr std::int32_t saturated_quotient(std::int32_t numerator, std::int32_t d
       // has not reached it stays 2^-18 below.
       constexpr double below_end = static_cast<double>(highest) + (1 - 0x1p-19);
       const double sum = quotient_sum<Rounding, Shift>(numerator, divisor);
-      // Modulo 2^32; below, `end` replaces what is out of range.
-      const auto low = static_cast<std::int32_t>(placed_floor<0>(sum));
+      // Below, `end` replaces what is out of range.
+      const std::int32_t low = low_bits_of_floor(sum);
       const std::int32_t end = ((numerator ^ divisor) >> 31) ^ highest;
       const std::int32_t out = (upper_bits(sum - lowest) | upper_bits(below_end - sum)) >> 31;
       return (low & ~out) | (end & out);

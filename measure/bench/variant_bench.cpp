@@ -1,10 +1,11 @@
-// Times forms of conversions from double and of quotients that promise less than ours, to see what
-// each promise costs: in loops over arrays, in chains, and over so many operands of random signs
-// that no processor learns them. Prints how many results of each form are not the exact ones. Needs
-// no library:
+// Times forms of conversions from double and of quotients, to see what each promise of ours costs,
+// and what a branch on the divisor's sign costs: in loops over arrays, in chains, and over so many
+// random signs that no processor learns them. Prints how many results of each form are not the
+// exact ones. Needs no library:
 //
 //     g++ -std=c++20 -O3 -march=native -fno-math-errno -I. measure/bench/variant_bench.cpp -o
 //     variant_bench && ./variant_bench
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -102,7 +103,8 @@ struct UnsignedShift {
     return static_cast<Word>(twice / static_cast<std::uint32_t>(d) >> 1);
   }
 };
-/// The operator, if divisors are rarely negative: fewer steps before and after the division.
+/// The bits of the operator, with a branch that suits positive divisors: they need fewer steps
+/// before and after the division.
 struct DivisorBranch {
   static constexpr const char* name = "a branch on the divisor's sign";
   static Word of(Word n, Word d) {
@@ -114,7 +116,8 @@ struct DivisorBranch {
   }
 };
 
-// So few stay in the first cache, wherever they lie.
+// `few` elements stay in the first cache, wherever they lie. `many` are more than a branch
+// predictor learns.
 constexpr std::size_t few = 1024;
 constexpr std::size_t many = 1 << 20;
 using Words = std::array<Word, many>;
@@ -166,8 +169,8 @@ bool time_forms(const char* what, Operands& all, std::size_t count = few) {
     return differ;
   };
   const std::array differ{wrong(results_of<Shape<Forms>>(all, count))...};
-  const std::size_t calls =
-      count == few ? 64 : 1;  // because the clock has steps of some nanoseconds
+  // The clock has steps of some nanoseconds.
+  const std::size_t calls = std::max<std::size_t>(1, 64 * few / count);
   const auto times = bench::least_times<400>(count * calls, [&] {
     for (std::size_t i = 0; i < calls; ++i) Shape<Forms>::run(all, count);
   }...);

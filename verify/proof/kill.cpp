@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "support/interrupt.hpp"
 #include "support/usage_error.hpp"
@@ -62,48 +61,41 @@ class Duel {
   std::array<parties::Ending, most> ends_{}, ends_wanted_{};
 };
 
+const parties::Party& reference_for(const cases::Variant& v) {
+  return parties::party_named(v.operation == cases::Operation::cossin ? "oracle" : "fast");
+}
+
 /// Level 1 of a variant for one party, in two rounds.
 class LevelOne {
  public:
   LevelOne(const cases::Variant& v, const parties::Party& judged, std::uint64_t seed)
-      : oracle_(parties::party_named(v.operation == cases::Operation::cossin ? "oracle" : "fast")),
-        seed_(seed),
-        jobs_(
-            cases::Plan(1, seed,
-                        {cases::Row{v, {std::string(judged.name()), std::string(oracle_.name())}}})
-                .jobs()),
-        duel_(v, judged, oracle_) {}
+      : seed_(seed),
+        plan_(1, seed,
+              {cases::Row{v, {std::string(judged.name()), std::string(reference_for(v).name())}}}),
+        duel_(v, judged, reference_for(v)) {}
 
-  /// A few cases of every stream: they kill most mutants.
-  /// @return the number of cases run, including the one that differs; nothing if none does
-  std::optional<std::uint64_t> first_cases() {
-    return killed_by([](const cases::Job& job) { return std::pair(std::uint64_t{0}, few(job)); });
-  }
-  /// All others. The number includes the first cases.
-  std::optional<std::uint64_t> other_cases() {
-    return killed_by([](const cases::Job& job) { return std::pair(few(job), job.cases); });
-  }
-
- private:
-  static std::uint64_t few(const cases::Job& job) {
-    return std::min<std::uint64_t>(256, job.cases);
-  }
-  template <class Range>
-  std::optional<std::uint64_t> killed_by(const Range& range) {
-    for (const cases::Job& job : jobs_) {
-      const auto [begin, end] = range(job);
+  /// Runs the next round: first a few cases of every stream, which kill most mutants, then all
+  /// others.
+  /// @return the number of cases run so far, including the one that differs; nothing if none does
+  std::optional<std::uint64_t> next_round() {
+    for (const cases::Job& job : plan_.jobs()) {
+      const std::uint64_t few = std::min<std::uint64_t>(256, job.cases);
+      const std::uint64_t begin = is_first_ ? 0 : few;
+      const std::uint64_t end = is_first_ ? few : job.cases;
       const std::uint64_t passed = duel_.passed(job, seed_, begin, end - begin);
       cases_ += passed;
       if (passed < end - begin) return cases_ + 1;
     }
+    is_first_ = false;
     return std::nullopt;
   }
 
-  const parties::Party& oracle_;
+ private:
   std::uint64_t seed_;
-  std::vector<cases::Job> jobs_;
+  cases::Plan plan_;
   Duel duel_;
   std::uint64_t cases_ = 0;
+  bool is_first_ = true;
 };
 
 /// The result for a program that survived level 1.
@@ -144,20 +136,20 @@ x86::Mutant mutant_of(const cases::Variant& v, std::size_t number) {
 
 std::optional<std::uint64_t> cases_to_kill(const cases::Variant& v, const parties::Party& judged,
                                            std::uint64_t seed) {
-  LevelOne cases(v, judged, seed);
-  const auto killed_by = cases.first_cases();
-  return killed_by ? killed_by : cases.other_cases();
+  LevelOne level_one(v, judged, seed);
+  const auto killed_by = level_one.next_round();
+  return killed_by ? killed_by : level_one.next_round();
 }
 
 MutantResult judge(const cases::Variant& v, const x86::Program& program, std::uint64_t seed,
                    const Solver& solver, int max_seconds) {
   const auto party = parties::make_interpreter_of("mutant", program);
-  LevelOne cases(v, *party, seed);
-  auto killed_by = cases.first_cases();
+  LevelOne level_one(v, *party, seed);
+  auto killed_by = level_one.next_round();
   if (!killed_by) {
-    // Before the other cases, which cannot tell the same terms apart.
+    // No case can tell the same terms apart.
     if (has_same_terms(v, program.instructions())) return {.fate = Fate::equivalent};
-    killed_by = cases.other_cases();
+    killed_by = level_one.next_round();
   }
   if (killed_by) return {.fate = Fate::killed, .cases = *killed_by};
   return result_of_survivor(v, program, solver, max_seconds);

@@ -22,7 +22,7 @@ enum class Fate {
 struct MutantResult {
   Fate fate = Fate::gap;
   std::uint64_t cases = 0;  ///< cases of level 1 up to the one that killed it; 0 if it survived
-  Proof proof{};            ///< the attempt for a mutant that level 1 did not kill
+  Proof proof{};            ///< the solver's attempt; empty if the solver was not asked
   std::string failure{};    ///< why the solver failed; empty if it did not
 };
 
@@ -39,8 +39,10 @@ x86model::Mutant mutant_of(const cases::Variant& variant, std::size_t number);
 std::optional<std::uint64_t> cases_to_kill(const cases::Variant& variant,
                                            const parties::Party& judged, std::uint64_t seed);
 
-/// Runs the cases of level 1 until one kills the program. The solver judges a program that
-/// survives. If the solver fails, the result is a gap and `failure` holds the reason.
+/// Runs a few cases of every stream of level 1 first. A program that survives them is equivalent if
+/// it has the terms of the routine. Otherwise all other cases follow, and the solver judges a
+/// program that survives those. If the solver fails, the result is a gap and `failure` holds the
+/// reason.
 /// @param max_seconds time limit per question to the solver
 /// @throws support::Stopped
 MutantResult judge(const cases::Variant& variant, const x86model::Program& program,

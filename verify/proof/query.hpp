@@ -28,7 +28,7 @@ std::vector<std::string> questions(const cases::Variant& variant,
                                    Arithmetic arithmetic = Arithmetic::abstract);
 
 /// Returns whether every path computes the same terms as in the routine of `variant`. If so, the
-/// two are equivalent without asking a solver.
+/// two are equivalent without asking a solver. False for an 8088 transform with another FixedMul.
 bool has_same_terms(const cases::Variant& variant, std::span<const x86model::Instruction> code);
 
 /// Returns the operands in a model of one of these scripts: see fault_of_model().

@@ -95,9 +95,10 @@ FIXED_LANE_FUNCTION void stored_blocks(const Operation& operation, std::size_t i
   store<number>(operation.out, i + 3 * size, fourth);
 }
 
-/// Computes groups of blocks from `i` on, while they end at or before `end`, and moves `i` beyond
-/// them.
-/// @return whether no group may have a fault; otherwise `i` is at the first that may
+/// Computes groups of blocks from `i` on, while they end at or before `end`. Moves `i` behind the
+/// last group that has no fault. A group that may have one is stored only if the operation has
+/// stores_first.
+/// @return false if a group may have a fault; it begins at `i`
 template <class Operation>
 FIXED_LANE_FUNCTION bool clean_groups(const Operation& operation, std::size_t& i, std::size_t end) {
   using number = typename Operation::number;
@@ -153,8 +154,10 @@ FIXED_LANE_FUNCTION std::size_t clean_singles(const Operation& operation, std::s
   return i;
 }
 
-/// Computes groups of blocks, then single ones.
-/// @return the first element that is left: a faulty block is among the next four registers
+/// Computes groups of blocks, then single ones. With masks, each_block() does the same, because it
+/// returns after whole groups.
+/// @return the first element that is left. If a whole block before `end` is left, one of the next
+/// four registers may have a fault.
 template <class Operation>
 FIXED_LANE_FUNCTION std::size_t clean_blocks(const Operation& operation, std::size_t i,
                                              std::size_t end) {
@@ -173,8 +176,10 @@ FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size
     if (!Operation::is_exact()) return i;
   }
   if constexpr (has_masks) {
+    // Many spans are whole groups. They skip the tests for single blocks, each of which is a jump
+    // of about a cycle.
     if (!clean_groups(operation, i, count)) return i;
-    if (i == count) return count;  // at once, because each jump on the way takes a cycle
+    if (i == count) return count;
     i = clean_singles(operation, i, count);
     const std::size_t rest = count - i;
     if (rest == 0) return count;

@@ -97,8 +97,9 @@ FIXED_LANE_FUNCTION i32 words_of(const std::array<std::int16_t, 32>& from, i64 a
   __builtin_memcpy(&numbers, &from, sizeof numbers);
   return i32(_mm512_permutex2var_epi16(__m512i(a), __m512i(numbers), __m512i(b)));
 }
-/// The 16-bit words that middle<16>() selects from each pair of registers.
-alignas(i32) inline constexpr std::array<std::int16_t, 32> middle_words = [] {
+/// The 16-bit words that middle<16>() selects from each pair of registers. Aligned, so that its
+/// load crosses no cache line.
+alignas(FIXED_LANE_BYTES) inline constexpr std::array<std::int16_t, 32> middle_words = [] {
   std::array<std::int16_t, 32> from{};
   for (std::int16_t i = 0; i < 32; i += 4) {
     const auto at = static_cast<std::size_t>(i);
@@ -111,7 +112,7 @@ alignas(i32) inline constexpr std::array<std::int16_t, 32> middle_words = [] {
 }();
 FIXED_LANE_FUNCTION i32 middle_16(i64 even, i64 odd) { return words_of(middle_words, even, odd); }
 /// The 16-bit words that middles() selects.
-alignas(i32) inline constexpr std::array<std::int16_t, 32> adjacent_middle_words = [] {
+alignas(FIXED_LANE_BYTES) inline constexpr std::array<std::int16_t, 32> adjacent_middle_words = [] {
   std::array<std::int16_t, 32> from{};
   for (std::size_t i = 0; i < 32; ++i) {
     from[i] = static_cast<std::int16_t>(i / 2 * 4 + 1 + i % 2);

@@ -123,22 +123,29 @@ TEST_P(Spans, MayBeOneSpan) {
 // tested, and the output is an input.
 TEST_P(Spans, MayBeOneSpanWithOneFault) {
   const Word one = Word{1} << type().fraction_bits;
+  const auto check_fault_at = [&](const Operation& o, std::size_t n, std::size_t at) {
+    for (const Word second : {Word{0}, type().lowest()}) {
+      Words in_a(n, 2 * one);
+      Words in_b(n, 3 * one / 2);
+      in_a[at] = type().lowest();
+      in_b[at] = second;
+      const Operands x(o, in_a, in_b);
+      for (const auto path : paths()) {
+        Column a = x.a;
+        check(o, a.at(0), x.b.at(0), a.at(0), n, x, path);
+        Column b = x.b;
+        check(o, x.a.at(0), b.at(0), b.at(0), n, x, path);
+      }
+    }
+  };
   for (const Operation& o : operations()) {
     for (std::size_t n = 1; n <= 70; ++n) {
-      for (std::size_t at = 0; at < n; ++at) {
-        for (const Word second : {Word{0}, type().lowest()}) {
-          Words in_a(n, 2 * one);
-          Words in_b(n, 3 * one / 2);
-          in_a[at] = type().lowest();
-          in_b[at] = second;
-          const Operands x(o, in_a, in_b);
-          for (const auto path : paths()) {
-            Column a = x.a;
-            check(o, a.at(0), x.b.at(0), a.at(0), n, x, path);
-            Column b = x.b;
-            check(o, x.a.at(0), b.at(0), b.at(0), n, x, path);
-          }
-        }
+      for (std::size_t at = 0; at < n; ++at) check_fault_at(o, n, at);
+    }
+    // Whole groups of blocks, without and with a rest.
+    for (const std::size_t n : {std::size_t{128}, longest}) {
+      for (const std::size_t at : {std::size_t{0}, std::size_t{63}, std::size_t{64}, n - 1}) {
+        check_fault_at(o, n, at);
       }
     }
   }

@@ -4,6 +4,7 @@
 #include "verify/parties/interpreter.hpp"
 #include "verify/parties/parties.hpp"
 #include "verify/proof/kill.hpp"
+#include "verify/proof/query.hpp"
 
 namespace {
 
@@ -76,16 +77,48 @@ TEST(Mutation, AShareOfAllMutantsIsKilledOrEquivalent) {
 TEST(Mutation, WhatDoesTheSameIsEquivalent) {
   const proof::Solver solver("z3");
   const cases::Variant v{.build = {.target = cases::Target::i8088}};
-  EXPECT_EQ(proof::judge(v, parties::program_of(v), seed, solver, 60).fate,
-            proof::Fate::equivalent);
+  // Its terms are the routine's own, so the solver is not asked.
+  const proof::MutantResult own = proof::judge(v, parties::program_of(v), seed, solver, 60);
+  EXPECT_EQ(own.fate, proof::Fate::equivalent);
+  EXPECT_EQ(own.proof.questions, 0U);
   bool found = false;
   for (const auto& mutant : proof::mutants_of(v)) {
     // Only the low half of that product is used, and MUL and IMUL agree in it.
     if (mutant.change != "23 mul bx -> imul bx") continue;
     found = true;
-    EXPECT_EQ(proof::judge(v, mutant.program, seed, solver, 60).fate, proof::Fate::equivalent);
+    const proof::MutantResult same = proof::judge(v, mutant.program, seed, solver, 60);
+    EXPECT_EQ(same.fate, proof::Fate::equivalent);
+    EXPECT_GT(same.proof.questions, 0U);
   }
   EXPECT_TRUE(found);
+}
+
+// A proof of a transform takes the results of FixedMul for those of the routine, which has a proof
+// of its own.
+TEST(Mutation, AnotherFixedMulIsNotTheSame) {
+  const cases::Variant rounds{.operation = cases::Operation::xformvec,
+                              .build = {.target = cases::Target::i8088, .mul_round = true}};
+  cases::Variant truncates = rounds;
+  truncates.build.mul_round = false;
+  const x86model::Program own = parties::program_of(rounds);
+  const x86model::Program other = parties::program_of(truncates);
+  EXPECT_TRUE(proof::has_same_terms(rounds, own.instructions()));
+  EXPECT_FALSE(proof::has_same_terms(rounds, other.instructions()));
+}
+
+TEST(Mutation, TheCasesOfBothRoundsCount) {
+  const proof::Solver solver("z3");
+  const cases::Variant v{.operation = cases::Operation::cossin};
+  constexpr std::uint64_t most_in_first_round = 20 * 256;
+  std::size_t late = 0;
+  for (const auto& mutant : proof::mutants_of(v)) {
+    const auto by =
+        proof::cases_to_kill(v, *parties::make_interpreter_of("mutant", mutant.program), seed);
+    if (!by || *by <= most_in_first_round) continue;
+    ++late;
+    EXPECT_EQ(proof::judge(v, mutant.program, seed, solver, 60).cases, *by) << mutant.change;
+  }
+  EXPECT_GT(late, 0U);
 }
 
 TEST(Mutation, SwappedRoundingsAreCaught) {
