@@ -106,7 +106,7 @@ TEST(Mutation, AnotherFixedMulIsNotTheSame) {
   EXPECT_FALSE(proof::has_same_terms(rounds, other.instructions()));
 }
 
-TEST(Mutation, TheCasesOfBothRoundsCount) {
+TEST(Mutation, TheSecondRoundKillsToo) {
   const proof::Solver solver("z3");
   const cases::Variant v{.operation = cases::Operation::cossin};
   constexpr std::uint64_t most_in_first_round = 20 * 256;
