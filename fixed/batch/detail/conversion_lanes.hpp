@@ -38,7 +38,8 @@ FIXED_LANE_FUNCTION half_i32 half_rounded(f64 twice) {
   } else if constexpr (Rounding == rounding::floor) {
     return low_words(i64(u64(whole<true>(twice)) >> 1));
   } else if constexpr (Rounding == rounding::ceiling) {
-    return -low_words(i64(u64(whole<true>(-twice)) >> 1));
+    // Unsigned, because the negative of the lowest integer is itself.
+    return half_i32(0 - half_u32(low_words(i64(u64(whole<true>(-twice)) >> 1))));
   } else if constexpr (Rounding == rounding::half_even) {
     const i64 floor = whole<true>(twice);
     const i64 up = i64(u64(floor + 1) >> 1);
