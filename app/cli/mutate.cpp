@@ -218,9 +218,9 @@ void add_mutate(CLI::App& app, int& status) {
       R"(Changes every instruction of every routine and inner loop in every way that
 x86model/mutants.hpp lists, one at a time. A mutant is killed by the first case of level 1 on
 which it differs from the oracle or raises an unexpected error. One that survives a few cases of
-every stream and has the terms of the routine is equivalent to it. The solver proves which others
-that survive are equivalent for all operands. The rest are gaps in the verification. Inner loops
-run spans of every length up to 320 pixels.
+every stream is equivalent if it computes the same terms as the routine. For one that survives all
+cases, the solver proves that it is equivalent for all operands, or it is a gap in the
+verification. Inner loops run spans of every length up to 320 pixels.
 
 A mutant that the solver does not decide is a gap too. With --solver both, so is one on which z3
 and cvc5 do not agree. `fixproof prove --help` says how solvers are tested.

@@ -103,6 +103,7 @@ struct UnsignedShift {
     return static_cast<Word>(twice / static_cast<std::uint32_t>(d) >> 1);
   }
 };
+
 /// The bits of the operator, with a branch that suits positive divisors: they need fewer steps
 /// before and after the division.
 struct DivisorBranch {

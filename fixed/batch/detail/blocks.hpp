@@ -176,9 +176,8 @@ FIXED_LANE_FUNCTION std::size_t each_block(const Operation& operation, std::size
     if (!Operation::is_exact()) return i;
   }
   if constexpr (has_masks) {
-    // Many spans are whole groups. They skip the tests for single blocks, each of which is a jump
-    // of about a cycle.
     if (!clean_groups(operation, i, count)) return i;
+    // A span of whole groups ends here. On the way through the rest, each jump takes about a cycle.
     if (i == count) return count;
     i = clean_singles(operation, i, count);
     const std::size_t rest = count - i;

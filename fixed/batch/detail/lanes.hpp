@@ -98,7 +98,7 @@ FIXED_LANE_FUNCTION i32 words_of(const std::array<std::int16_t, 32>& from, i64 a
   return i32(_mm512_permutex2var_epi16(__m512i(a), __m512i(numbers), __m512i(b)));
 }
 /// The 16-bit words that middle<16>() selects from each pair of registers. Aligned, so that its
-/// load crosses no cache line.
+/// load crosses no cache line. Not by alignas(i32), which g++ takes for 16 bytes without AVX-512.
 alignas(FIXED_LANE_BYTES) inline constexpr std::array<std::int16_t, 32> middle_words = [] {
   std::array<std::int16_t, 32> from{};
   for (std::int16_t i = 0; i < 32; i += 4) {
@@ -111,7 +111,7 @@ alignas(FIXED_LANE_BYTES) inline constexpr std::array<std::int16_t, 32> middle_w
   return from;
 }();
 FIXED_LANE_FUNCTION i32 middle_16(i64 even, i64 odd) { return words_of(middle_words, even, odd); }
-/// The 16-bit words that middles() selects.
+/// The 16-bit words that middles() selects, aligned like those.
 alignas(FIXED_LANE_BYTES) inline constexpr std::array<std::int16_t, 32> adjacent_middle_words = [] {
   std::array<std::int16_t, 32> from{};
   for (std::size_t i = 0; i < 32; ++i) {

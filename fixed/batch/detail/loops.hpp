@@ -132,7 +132,7 @@ struct loops {
       first.add(second);
       first.add_to(sum);
     } while (is_exact && count - i >= (has_masks ? 1 : width));
-    if constexpr (!has_masks) {
+    if constexpr (!has_masks) {  // masks leave no element
       for (; i < count; ++i) {
         const std::int64_t product = std::int64_t{a[i].raw()} * b[i].raw();
         if constexpr (is_exact) {
